@@ -186,10 +186,61 @@ def fine_mesh_in_a_coarse_one(folder):
         DomainRule='Union', KeepCellEdges=1)
 
 
+def stl_to_tetrahedra(folder):
+    """A body with holes, from an STL file to tetrahedra; a Clip with Crinkleclip looks inside."""
+    path = os.path.join(folder, 'bracket.stl')
+    SaveData(path, proxy=LegacyVTKReader(FileNames=[os.path.join(here, 'bracket.vtk')]))
+    mesh = BitingTetrahedralizer(Input=STLReader(FileNames=[path]), UniformSpacing=4)
+    SaveData(os.path.join(folder, 'bracket.vtu'), proxy=OutputPort(mesh, 0))
+    return mesh
+
+
+def body_with_tags_for_a_solver(folder):
+    """Tetrahedra, and the triangles of the boundary with the array Tag of the surface: SU2, Gmsh.
+
+    The triangles of one tag alone, as a filter behind would take them: Threshold.
+    """
+    surface = LegacyVTKReader(FileNames=[os.path.join(here, 'bracket.vtk')])
+    mesh = BitingTetrahedralizer(Input=surface, UniformSpacing=4)
+    for ending in ['msh', 'su2']:
+        SaveData(os.path.join(folder, 'bracket.' + ending), proxy=OutputPort(mesh, 0))
+    bolts = Threshold(Input=OutputPort(mesh, 1), Scalars=['CELLS', 'Tag'], LowerThreshold=2,
+        UpperThreshold=2)
+    SaveData(os.path.join(folder, 'bolts.vtk'), proxy=bolts)
+    return mesh
+
+
+def shell_of_two_materials(folder):
+    """Three spheres in each other: a cavity, a material around it, and another one around that.
+
+    A closed surface encloses the material of its value; the innermost has that of the one around it,
+    so what it encloses is a cavity.
+    """
+    balls = [(1.0, 5), (0.75, 8), (0.45, 8)]
+    spheres = [Calculator(Input=Sphere(Radius=radius, ThetaResolution=48, PhiResolution=48),
+        AttributeType='Cell Data', ResultArrayName='Material', Function=str(material))
+        for radius, material in balls]
+    return BitingTetrahedralizer(Input=AppendGeometry(Input=spheres), RegionArray='Material',
+        UniformSpacing=0.12)
+
+
+def ball_with_a_spacing_field(folder):
+    """Edges as long as a field says, here on an image: short near a place on the surface."""
+    image = Wavelet(WholeExtent=[-10, 10, -10, 10, -10, 10])
+    unit = Transform(Input=image)
+    unit.Transform.Scale = [0.11, 0.11, 0.11]
+    field = Calculator(Input=unit, ResultArrayName='Spacing',
+        Function='0.04+0.12*sqrt((coordsX+0.7)^2+coordsY^2+(coordsZ-0.7)^2)')
+    ball = Sphere(Radius=1, ThetaResolution=64, PhiResolution=64)
+    return BitingTetrahedralizer(Input=ball, SpacingSource=field,
+        SourceSpacingArray=['POINTS', 'Spacing'])
+
+
 tasks = [contour_to_mesh, coast_with_spacing_by_depth, courant_number_of_a_coast,
     adcirc_grid_with_depths, airfoil, plate_with_regions, export_with_tags, size_by_tag, judge_a_mesh,
     mesh_for_a_solution, nested_refinement_regions, a_town_of_houses, periodic_cell,
-    fine_mesh_in_a_coarse_one]
+    fine_mesh_in_a_coarse_one, stl_to_tetrahedra, body_with_tags_for_a_solver,
+    shell_of_two_materials, ball_with_a_spacing_field]
 
 
 def main(plugin, folder):

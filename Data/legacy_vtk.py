@@ -7,14 +7,19 @@ import os
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 
 
-def write_polydata(name, title, points, lines, vertices=(), point_arrays=None, cell_arrays=None):
-    """Lines are tuples of point ids, vertices point ids; cell arrays hold vertices first."""
+def write_polydata(name, title, points, lines=(), vertices=(), polygons=(), point_arrays=None,
+    cell_arrays=None):
+    """Points have two or three coordinates, lines and polygons are tuples of point ids, vertices point
+    ids; cell arrays hold vertices first, then lines.
+    """
     text = _header(title, "POLYDATA")
     text.append(f"POINTS {len(points)} double")
-    text += [f"{float(x)!r} {float(y)!r} 0" for x, y in points]
+    text += [f"{float(x)!r} {float(y)!r} {float(z[0])!r}" if z else f"{float(x)!r} {float(y)!r} 0"
+        for x, y, *z in points]
     text += _cells("VERTICES", [(vertex,) for vertex in vertices])
     text += _cells("LINES", lines)
-    text += _arrays("CELL_DATA", len(vertices) + len(lines), cell_arrays)
+    text += _cells("POLYGONS", polygons)
+    text += _arrays("CELL_DATA", len(vertices) + len(lines) + len(polygons), cell_arrays)
     text += _arrays("POINT_DATA", len(points), point_arrays)
     _save(name, text)
 

@@ -16,19 +16,14 @@ from paraview.simple import *
 from vtkmodules.vtkCommonCore import vtkMinimalStandardRandomSequence, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+import views
+
 SIZE = [500, 400]
-PALE, EDGES = [0.9, 0.95, 1], [0.5, 0.56, 0.65]
 
 
 def main(plugin, folder):
     LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
-    layout = CreateLayout('Space')
-    layout.SplitHorizontal(0, 0.5)
-    AssignViewToLayout(view_of_check(), layout, 1)
-    AssignViewToLayout(view_of_points(), layout, 2)
-    size = [2 * SIZE[0], SIZE[1]]
-    layout.SetSize(*size)
-    SaveScreenshot(os.path.join(folder, 'space.png'), layout, ImageResolution=size)
+    views.save_row([view_of_check(), view_of_points()], SIZE, os.path.join(folder, 'space.png'))
 
 
 def view_of_check():
@@ -39,9 +34,8 @@ def view_of_check():
     check.UpdatePipeline()
     check.UpdatePropertyInformation()
     print(check.Summary)
-    view = new_view([-0.5, -4, 2], [0.5, 0.1, 0.1], 1.25)
-    Show(OutputPort(check, 0), view, Representation='Surface With Edges', ColorArrayName=[None, ''],
-        DiffuseColor=PALE, EdgeColor=EDGES)
+    view = views.space_view([-0.5, -4, 2], [0.5, 0.1, 0.1], 1.25, SIZE)
+    views.show_surface(check, view)
     Show(OutputPort(check, 1), view, ColorArrayName=[None, ''], LineWidth=3,
         AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
     Show(OutputPort(check, 2), view, ColorArrayName=[None, ''], PointSize=9,
@@ -54,7 +48,7 @@ def view_of_points():
     judged = MeshConformity(Input=solid)
     half = Clip(Input=judged, ClipType='Plane', Crinkleclip=1)
     half.ClipType.Origin, half.ClipType.Normal = [0, 0.1, 0], [0, -1, 0]
-    view = new_view([0.6, -4, 2.6], [0, 0.3, 0], 1.3)
+    view = views.space_view([0.6, -4, 2.6], [0, 0.3, 0], 1.3, SIZE)
     shown = Show(half, view, Representation='Surface With Edges', EdgeColor=[0.3, 0.3, 0.35])
     ColorBy(shown, ('CELLS', 'MinimumDihedralAngle'))
     shown.SetScalarBarVisibility(view, False)
@@ -78,15 +72,6 @@ def ring_of_points(count):
     producer.GetClientSideObject().SetOutput(data)
     producer.UpdatePipeline()
     return producer
-
-
-def new_view(eye, middle, scale):
-    view = CreateView('RenderView', ViewSize=SIZE)
-    view.UseColorPaletteForBackground, view.Background = 0, [1, 1, 1]
-    view.OrientationAxesVisibility = 0
-    view.CameraParallelProjection, view.CameraParallelScale = 1, scale
-    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = eye, middle, [0, 0, 1]
-    return view
 
 
 if __name__ == '__main__':

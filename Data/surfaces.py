@@ -13,8 +13,9 @@ import tempfile
 
 from paraview.simple import *
 
+import views
+
 SIZE = [460, 360]
-PALE, EDGES = [0.9, 0.95, 1], [0.4, 0.46, 0.55]
 
 
 def main(plugin, folder):
@@ -82,13 +83,8 @@ def terrain():
 
 
 def view_of(surface, eye, middle, scale):
-    view = CreateView('RenderView', ViewSize=SIZE)
-    view.UseColorPaletteForBackground, view.Background = 0, [1, 1, 1]
-    view.OrientationAxesVisibility = 0
-    view.CameraParallelProjection, view.CameraParallelScale = 1, scale
-    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = eye, middle, [0, 0, 1]
-    Show(OutputPort(surface, 0), view, Representation='Surface With Edges',
-         ColorArrayName=[None, ''], DiffuseColor=PALE, EdgeColor=EDGES)
+    view = views.space_view(eye, middle, scale, SIZE)
+    views.show_surface(surface, view)
     return view
 
 

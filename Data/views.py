@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the scripts that draw pictures share: views of the plane, meshes in them, histograms."""
+"""What the scripts that draw pictures share: views of plane and space, meshes in them, histograms."""
 
 from paraview.simple import *
 
 WHITE, SAND = [1, 1, 1], [0.86, 0.84, 0.78]
+PALE, EDGES = [0.9, 0.95, 1], [0.4, 0.46, 0.55]  # of surfaces in space
 
 
 def plane_view(center, height, size, background=WHITE):
@@ -19,6 +20,36 @@ def look_at(view, center, height, background=WHITE):
     view.OrientationAxesVisibility, view.InteractionMode = 0, '2D'
     view.CameraParallelProjection, view.CameraParallelScale = 1, height / 2
     view.CameraPosition, view.CameraFocalPoint = [*center, 10 * height], [*center, 0]
+
+
+def space_view(eye, middle, scale, size):
+    """A new view of space, with z upwards; `scale` is half of its height."""
+    view = CreateView('RenderView', ViewSize=size)
+    view.UseColorPaletteForBackground, view.Background = 0, WHITE
+    view.OrientationAxesVisibility = 0
+    view.CameraParallelProjection, view.CameraParallelScale = 1, scale
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = eye, middle, [0, 0, 1]
+    return view
+
+
+def show_surface(surface, view):
+    """Of space, in one pale colour."""
+    return Show(OutputPort(surface, 0), view, Representation='Surface With Edges',
+        ColorArrayName=[None, ''], DiffuseColor=PALE, EdgeColor=EDGES)
+
+
+def save_row(shown, size, path):
+    """Views beside each other, each `size` pixels large, as one picture."""
+    layout = CreateLayout('Row')
+    cell = 0
+    for k in range(1, len(shown)):
+        cell = layout.SplitHorizontal(cell, 1 / (len(shown) + 1 - k))
+        AssignViewToLayout(shown[k - 1], layout, cell)
+        cell += 1
+    AssignViewToLayout(shown[-1], layout, cell)
+    whole = [len(shown) * size[0], size[1]]
+    layout.SetSize(*whole)
+    SaveScreenshot(path, layout, ImageResolution=whole)
 
 
 def show_mesh(mesh, view):

@@ -20,6 +20,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm> // for any_of
 #include <array>     // for cells
@@ -89,7 +90,7 @@ void AddGroups(vtkCellData* data, const char* number, const char* name, int shif
 }
 
 //------------------------------------------------------------------------------
-void MakeMesh(const MeshFile& file, vtkPolyData* mesh)
+void MakeMesh(const MeshFile& file, vtkPointSet* mesh)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -98,10 +99,17 @@ void MakeMesh(const MeshFile& file, vtkPolyData* mesh)
     points->InsertNextPoint(place.data());
   }
   mesh->SetPoints(points);
-  mesh->SetPolys(CellsOf(file.Triangles));
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
+  {
+    grid->SetCells(VTK_TETRA, CellsOf(file.Tetrahedra));
+  }
+  if (auto* triangles = vtkPolyData::SafeDownCast(mesh))
+  {
+    triangles->SetPolys(CellsOf(file.Triangles));
+  }
   const bool hasRegions = file.Regions.size() > 1 || file.Regions.front().Number > 0;
-  AddGroups(mesh->GetCellData(), "RegionId", "RegionName", hasRegions ? -1 : 0,
-    file.RegionOfTriangle, file.Regions);
+  AddGroups(mesh->GetCellData(), "RegionId", "RegionName", hasRegions ? -1 : 0, file.RegionOfCell,
+    file.Regions);
   if (!file.Depths.empty())
   {
     vtkNew<vtkDoubleArray> depths;
@@ -115,8 +123,10 @@ void MakeMesh(const MeshFile& file, vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-// Lines between points of their own, which name those of the mesh.
-void MakeEdges(const MeshFile& file, vtkPolyData* edges)
+// Lines or triangles between points of their own, which name those of the mesh.
+template <std::size_t Size>
+vtkSmartPointer<vtkCellArray> MakeSides(const MeshFile& file,
+  std::vector<std::array<MeshFile::Vertex, Size>> sides, vtkPolyData* boundary)
 {
   constexpr MeshFile::Vertex none = -1;
   std::vector<MeshFile::Vertex> own(file.Points.size(), none);
@@ -124,10 +134,9 @@ void MakeEdges(const MeshFile& file, vtkPolyData* edges)
   points->SetDataTypeToDouble();
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName("MeshPointId");
-  std::vector<std::array<MeshFile::Vertex, 2>> lines = file.Edges;
-  for (auto& line : lines)
+  for (auto& side : sides)
   {
-    for (MeshFile::Vertex& end : line)
+    for (MeshFile::Vertex& end : side)
     {
       const auto vertex = static_cast<std::size_t>(end);
       if (own[vertex] == none)
@@ -138,10 +147,10 @@ void MakeEdges(const MeshFile& file, vtkPolyData* edges)
       end = own[vertex];
     }
   }
-  edges->SetPoints(points);
-  edges->SetLines(CellsOf(lines));
-  edges->GetPointData()->AddArray(ids);
-  AddGroups(edges->GetCellData(), "Tag", "TagName", 0, file.TagOfEdge, file.Tags);
+  boundary->SetPoints(points);
+  boundary->GetPointData()->AddArray(ids);
+  AddGroups(boundary->GetCellData(), "Tag", "TagName", 0, file.TagOfSide, file.Tags);
+  return CellsOf(sides);
 }
 
 } // namespace
@@ -162,23 +171,67 @@ vtkBitingMeshReader::~vtkBitingMeshReader()
 }
 
 //------------------------------------------------------------------------------
+int vtkBitingMeshReader::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == MESH ? "vtkPointSet" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMeshReader::ReadFile()
+{
+  this->File = std::make_unique<std::pair<MeshFile, ReadingResult>>();
+  auto& [mesh, result] = *this->File;
+  result = ::ReadFile(this->FileName ? this->FileName : "", mesh);
+  if (!result.Reason.empty())
+  {
+    mesh = MeshFile();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkBitingMeshReader::RequestDataObject(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
+{
+  this->ReadFile();
+  vtkSmartPointer<vtkPointSet> mesh = vtkSmartPointer<vtkPolyData>::New();
+  if (this->File->first.IsSolid())
+  {
+    mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  }
+  const vtkNew<vtkPolyData> boundary;
+  outputVector->GetInformationObject(MESH)->Set(vtkDataObject::DATA_OBJECT(), mesh);
+  outputVector->GetInformationObject(BOUNDARY_EDGES)->Set(vtkDataObject::DATA_OBJECT(), boundary);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
 int vtkBitingMeshReader::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  const std::string name = this->FileName ? this->FileName : "";
-  MeshFile file;
-  const ReadingResult result = ReadFile(name, file);
-  if (!result.Reason.empty())
+  if (!this->File) // as where the outputs were released
   {
-    vtkErrorMacro("No mesh in " << name << ". " << result.Reason);
+    this->ReadFile();
+  }
+  const auto reading = std::move(this->File);
+  const auto& [file, result] = *reading;
+  vtkPointSet* mesh = vtkPointSet::GetData(outputVector, MESH);
+  const bool isAsBefore = file.IsSolid() == (vtkUnstructuredGrid::SafeDownCast(mesh) != nullptr);
+  if (!result.Reason.empty() || !isAsBefore)
+  {
+    vtkErrorMacro("No mesh in " << (this->FileName ? this->FileName : "") << ". "
+                                << (isAsBefore ? result.Reason
+                                               : "It has other cells than before: open it again."));
     return 1;
   }
   for (const std::string& remark : result.Remarks)
   {
-    vtkWarningMacro(<< name << ": " << remark);
+    vtkWarningMacro(<< this->FileName << ": " << remark);
   }
-  MakeMesh(file, vtkPolyData::GetData(outputVector, MESH));
-  MakeEdges(file, vtkPolyData::GetData(outputVector, BOUNDARY_EDGES));
+  vtkPolyData* boundary = vtkPolyData::GetData(outputVector, BOUNDARY_EDGES);
+  MakeMesh(file, mesh);
+  file.IsSolid() ? boundary->SetPolys(MakeSides(file, file.Triangles, boundary))
+                 : boundary->SetLines(MakeSides(file, file.Edges, boundary));
   return 1;
 }
 

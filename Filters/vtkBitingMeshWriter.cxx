@@ -124,19 +124,24 @@ std::string vtkBitingMeshWriter::ReadTags(
     this->WarnOfEdges(edges);
     return {};
   }
-  vtkAbstractArray* tags = biting::FindTags(edges->GetCellData(), Text(this->TagArray));
+  vtkSmartPointer<vtkAbstractArray> tags =
+    biting::FindTags(edges->GetCellData(), Text(this->TagArray));
+  if (!tags && !Text(this->TagArray).empty())
+  {
+    return "The boundary has no cell array named " + Text(this->TagArray) + ".";
+  }
   if (!tags)
   {
-    return "The boundary edges have no cell array named " + Text(this->TagArray) + ".";
+    tags = biting::OneTag(edges->GetNumberOfCells());
   }
   const biting::ValueGroups groups(tags);
   file.Tags = groups.Named(0, "", biting::EndsOfNames);
-  biting::ReadEdges(edges, parts, groups, file);
-  if (biting::CountEdgesOfNoTriangle(file) > 0)
+  biting::ReadSides(edges, parts, groups, file);
+  if (biting::CountSidesOfNoCell(file) > 0)
   {
     this->WarnOfEdges(edges);
-    file.Edges.clear();
-    file.TagOfEdge.clear();
+    file.IsSolid() ? file.Triangles.clear() : file.Edges.clear();
+    file.TagOfSide.clear();
     file.Tags.clear();
   }
   else if (biting::FormatOf(Text(this->FileName))->HasPlainNames)
@@ -168,7 +173,8 @@ void vtkBitingMeshWriter::WarnOfEdges(vtkPolyData* edges)
 {
   if (edges)
   {
-    vtkWarningMacro("The boundary edges are not those of this mesh: it is written without tags.");
+    vtkWarningMacro(
+      "The boundary edges or triangles are not sides of this mesh: it is written without tags.");
   }
 }
 
@@ -221,9 +227,14 @@ std::string vtkBitingMeshWriter::WriteMesh(vtkDataSet* mesh, vtkPolyData* edges)
   biting::MeshFile file;
   file.AreDegrees = this->Coordinates == LONGITUDE_LATITUDE;
   const biting::WrittenParts parts(mesh);
-  refusal = biting::ReadTriangles(
+  refusal = biting::ReadCells(
     mesh, parts, format->HasRegions ? Text(this->RegionArray) : std::string(), file);
-  refusal = refusal.empty() && format->IsPlanar ? biting::MakePlanar(file) : refusal;
+  if (refusal.empty() && file.IsSolid() && !format->HasTetrahedra)
+  {
+    return "This format has no tetrahedra in space; .msh and .su2 have.";
+  }
+  const bool isOriented = file.IsSolid() || format->IsPlanar;
+  refusal = refusal.empty() && isOriented ? biting::OrientCells(file) : refusal;
   refusal = refusal.empty() && format->HasDepths
     ? biting::ReadDepths(mesh, parts, Text(this->DepthArray), file)
     : refusal;

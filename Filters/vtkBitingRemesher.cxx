@@ -253,7 +253,7 @@ bool vtkBitingRemesher::Execution::ReadSpacing()
   {
     return false;
   }
-  const bool hasOther = spacing.Grid || spacing.Triangulation || spacing.Uniform > 0.0;
+  const bool hasOther = !spacing.Sources.empty() || spacing.Uniform > 0.0;
   return (hasOther || this->Accept(this->AddValues())) && !this->WasAborted();
 }
 

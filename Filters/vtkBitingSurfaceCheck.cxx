@@ -10,7 +10,6 @@
 #include "Bridge/Run/ProblemReport.h"
 
 #include "vtkCompositeDataSet.h"
-#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -93,16 +92,10 @@ int vtkBitingSurfaceCheck::RequestUpdateExtent(
 int vtkBitingSurfaceCheck::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->ErrorCode = vtkErrorCode::NoError;
   this->Summary.clear();
-  const biting::Ranks ranks(request, outputVector);
-  const biting::WholeInput input(ranks, inputVector[0]);
-  if (ranks.IsFirst())
-  {
-    Execution(this).Run(input, outputVector);
-  }
-  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, false, this, outputVector);
-  return 1; // also where there was an error: views keep what was before it where this is 0
+  return biting::RunOnFirstRank(this, this->ErrorCode, { request, inputVector, outputVector },
+    [this, outputVector](const biting::WholeInputs& inputs)
+    { Execution(this).Run(inputs[0], outputVector); });
 }
 
 //------------------------------------------------------------------------------

@@ -60,91 +60,26 @@
 #ifndef vtkBitingSurfaceMesher_h
 #define vtkBitingSurfaceMesher_h
 
-#include "vtkBitingAlgorithm.h"
-
-#include <string> // for names
+#include "vtkBitingSpaceMesher.h"
 
 VTK_ABI_NAMESPACE_BEGIN
-class VTKBITINGFILTERS_EXPORT vtkBitingSurfaceMesher : public vtkBitingAlgorithm
+class VTKBITINGFILTERS_EXPORT vtkBitingSurfaceMesher : public vtkBitingSpaceMesher
 {
 public:
   static vtkBitingSurfaceMesher* New();
-  vtkTypeMacro(vtkBitingSurfaceMesher, vtkBitingAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /**
-   * Values of `VertexKind`.
-   */
-  enum VertexKindType
-  {
-    CORNER = 0,  ///< where feature lines meet, end or turn
-    FEATURE = 1, ///< on a feature line
-    SURFACE = 2
-  };
-
-  /**
-   * Values of `ProblemKind`, beside those of vtkBitingSurfaceCheck.
-   */
-  enum ProblemKindType
-  {
-    TOO_THIN = 38,     ///< walls or feature lines too near to each other for f (cell)
-    TOO_SHARP = 39,    ///< faces at too small an angle for f (cell)
-    LOST_FEATURES = 40 ///< a feature line that is not in the mesh (point)
-  };
-
-  ///@{
-  /**
-   * Edges where the surface turns by more are kept as lines, in degrees, in [0, 180]. Default 40.
-   */
-  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
-  vtkGetMacro(FeatureAngle, double);
-  ///@}
-
-  ///@{
-  /**
-   * How far the mesh may be from the surface where that curves, in f: f is lowered there, down to a
-   * quarter. 0: any distance. Default 0.1.
-   */
-  vtkSetMacro(BoundaryTolerance, double);
-  vtkGetMacro(BoundaryTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Vertices of open edges that are nearer to each other become one; relative to the diagonal, in
-   * [0, 1). 0 (default): only as near as rounding.
-   */
-  vtkSetMacro(MergeTolerance, double);
-  vtkGetMacro(MergeTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Name of a cell array of input 0: where its value changes there is a feature line, and RegionId
-   * numbers its values in the order of the cells. Empty (default): RegionId numbers the parts.
-   */
-  vtkSetStdStringFromCharMacro(RegionArray);
-  vtkGetCharFromStdStringMacro(RegionArray);
-  ///@}
+  vtkTypeMacro(vtkBitingSurfaceMesher, vtkBitingSpaceMesher);
 
 protected:
-  vtkBitingSurfaceMesher();
+  vtkBitingSurfaceMesher() = default;
   ~vtkBitingSurfaceMesher() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  std::unique_ptr<vtkBitingSpaceMesher::Execution> NewExecution() override;
 
 private:
   vtkBitingSurfaceMesher(const vtkBitingSurfaceMesher&) = delete;
   void operator=(const vtkBitingSurfaceMesher&) = delete;
 
   class Execution;
-
-  double FeatureAngle = 40.0;
-  double BoundaryTolerance = 0.1;
-  double MergeTolerance = 0.0;
-  std::string RegionArray;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -239,8 +239,10 @@ void vtkMeshConformity::Execution::MeasureSpace(vtkInformationVector* outputs)
     biting::MeasureTetrahedra({ mesh.Points, mesh.Spacing, mesh.Corners }, this->Progress);
   if (this->Progress.Advance(1.0))
   {
-    mesh.Write(this->Input, vtkDataSet::GetData(outputs, 0), this->Filter->NumberOfBins,
-      vtkTable::GetData(outputs, 1));
+    vtkDataSet* output = vtkDataSet::GetData(outputs, 0);
+    output->ShallowCopy(this->Input);
+    mesh.Write(output);
+    mesh.WriteHistograms(this->Filter->NumberOfBins, vtkTable::GetData(outputs, 1));
     this->Filter->Summary.insert(0, mesh.Summary());
   }
 }
@@ -284,7 +286,7 @@ bool vtkMeshConformity::Execution::ReadSpacing()
   {
     return false;
   }
-  if (options.Grid || options.Triangulation)
+  if (!options.Sources.empty())
   {
     return this->Compare(options);
   }

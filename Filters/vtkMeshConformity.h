@@ -21,10 +21,11 @@
  * cells of two dimensions and less are passed over, and another cell of three dimensions is an
  * error. The spacing is the point array of the mesh, read as below; a source is not used, with a
  * warning. Cell data: `MinimumDihedralAngle`, `MaximumDihedralAngle` (degrees, 70.53 is best; 0 and
- * 180 where a face has no area), `RadiusEdgeRatio` (0.612 is best, infinite where there is no
- * volume). Point data and the figures of the spacing are those below, but for the slopes. Field
- * data: `NumberOfVertices`, `NumberOfTetrahedra`, `NumberOfSlivers` (ratio at most 2, and a
- * dihedral angle below 10 degrees), `SmallestDihedralAngle`, `LargestDihedralAngle`,
+ * 180 where a face has no area), `RadiusEdgeRatio` (0.612 is best), `AspectRatio` (radii of the
+ * circumscribed and of the inscribed sphere, 3 is best), both infinite where there is no volume.
+ * Point data and the figures of the spacing are those below, but for the slopes. Field data:
+ * `NumberOfVertices`, `NumberOfTetrahedra`, `NumberOfSlivers` (ratio at most 2, and a dihedral
+ * angle below 10 degrees), `SmallestDihedralAngle`, `LargestDihedralAngle`,
  * `LargestRadiusEdgeRatio`. Histograms: `DihedralAngle` (all six of each) in place of `Angle`.
  *
  * @par The spacing:

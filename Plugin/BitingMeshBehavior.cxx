@@ -14,8 +14,7 @@
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
-#include "vtkBitingMesher.h"
-#include "vtkBitingRemesher.h"
+#include "vtkBitingAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkNew.h"
@@ -43,13 +42,14 @@ namespace
 constexpr int MeshPort = 0;
 constexpr int ProblemsPort = 3;
 
-// An output of mesher or remesher that may be empty, and the array that colours it.
+// An output of a mesher that may be empty, and the array that colours it; of tetrahedra another.
 struct Output
 {
   int Port;
   const char* Array;
   int Association;
 };
+constexpr const char* ArrayOfTetrahedra = "MinimumDihedralAngle";
 constexpr Output MayBeEmpty[] = { { MeshPort, "MinimumAngle", vtkDataObject::CELL },
   { 2, "Phase", vtkDataObject::CELL }, { ProblemsPort, "ProblemKind", vtkDataObject::POINT } };
 
@@ -78,7 +78,7 @@ bool IsA(pqPipelineSource* source, const char* name)
 bool HasProblems(pqPipelineSource* source)
 {
   return IsA(source, "BitingMesher") || IsA(source, "BitingRemesher") ||
-    IsA(source, "BitingSurfaceMesher");
+    IsA(source, "BitingSurfaceMesher") || IsA(source, "BitingTetrahedralizer");
 }
 
 bool IsEmpty(pqPipelineSource* source, int port)
@@ -97,12 +97,13 @@ const Output* OutputOf(pqOutputPort* port)
   return found != std::end(MayBeEmpty) ? found : nullptr;
 }
 
-void Color(vtkSMPVRepresentationProxy* proxy, const Output& output)
+void Color(vtkSMPVRepresentationProxy* proxy, pqPipelineSource* source, const Output& output)
 {
   if (!proxy->GetUsingScalarColoring())
   {
-    // The colours of all three arrays belong to their values: nothing is to be rescaled.
-    proxy->SetScalarColoring(output.Array, output.Association);
+    // The colours of all these arrays belong to their values: nothing is to be rescaled.
+    const bool isOfTetrahedra = output.Port == MeshPort && IsA(source, "BitingTetrahedralizer");
+    proxy->SetScalarColoring(isOfTetrahedra ? ArrayOfTetrahedra : output.Array, output.Association);
   }
 }
 
@@ -114,7 +115,7 @@ void Show(pqDataRepresentation* representation, const Output& output)
     representation->getOutputPortFromInput()->getSource()->getSourceProxy(), output.Port, view);
   if (auto* proxy = vtkSMPVRepresentationProxy::SafeDownCast(representation->getProxy()))
   {
-    Color(proxy, output);
+    Color(proxy, representation->getOutputPortFromInput()->getSource(), output);
     proxy->SetScalarBarVisibility(view, true);
   }
   representation->renderViewEventually();
@@ -357,13 +358,9 @@ Filter* FilterOf(pqPipelineSource* source)
 void Stop(pqPipelineSource* source)
 {
   source->setProperty(IsStopAsked, true);
-  if (auto* mesher = FilterOf<vtkBitingMesher>(source))
+  if (auto* mesher = FilterOf<vtkBitingAlgorithm>(source))
   {
     mesher->Stop();
-  }
-  else if (auto* remesher = FilterOf<vtkBitingRemesher>(source))
-  {
-    remesher->Stop();
   }
 }
 

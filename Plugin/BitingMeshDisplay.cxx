@@ -26,8 +26,9 @@ struct Title
 };
 
 constexpr Title LegendTitles[] = { { "MinimumAngle", "Smallest angle (degrees)" },
-  { "Conformity", "Conformity (best: 1)" }, { "RadiusEdgeRatio", "Radius-edge ratio (best: 0.58)" },
-  { "AspectRatio", "Aspect ratio (best: 2)" } };
+  { "MinimumDihedralAngle", "Smallest dihedral angle (degrees)" },
+  { "Conformity", "Conformity (best: 1)" }, { "RadiusEdgeRatio", "Radius-edge ratio" },
+  { "AspectRatio", "Aspect ratio" } };
 
 constexpr Title AxisTitles[] = { { "Angle", "Angle of triangles (degrees)" },
   { "Conformity", "Conformity of vertices (best: 1)" },

@@ -18,6 +18,7 @@ set(biting_bridge_sources
   Drawing/RemeshInputFromDataSet.cxx
   Drawing/SurfaceFromDrawing.cxx
   Mesh/BitesToPolyData.cxx
+  Mesh/BitingBodyToGrid.cxx
   Mesh/BitingSurfaceToPolyData.cxx
   Mesh/DividedQuads.cxx
   Mesh/MeasuredMesh.cxx

@@ -80,7 +80,7 @@ private:
     std::size_t corners = 0;
     return ((this->In.Read(number, corners) && (corners == 3 || corners == 4)) ||
              this->Out.Fail("an element of 3 or 4 nodes")) &&
-      this->Out.ReadCell({ corners, corners }, { 0, 0 }) &&
+      this->Out.ReadCell({ corners, corners, 2 }, { 0, 0 }) &&
       (!this->In.PassNumber() || this->Out.Fail("no more nodes than the element has"));
   }
 

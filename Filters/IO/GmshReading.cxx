@@ -13,8 +13,9 @@ namespace
 
 MeshFileCell CellInGmsh(int type)
 {
-  static const std::vector<std::array<std::size_t, 3>> Types{ { 15, 1, 1 }, { 1, 2, 2 },
-    { 2, 3, 3 }, { 3, 4, 4 }, { 8, 2, 3 }, { 9, 3, 6 }, { 10, 4, 9 }, { 16, 4, 8 } };
+  static const std::vector<std::array<int, 4>> Types{ { 15, 1, 1, 0 }, { 1, 2, 2, 1 },
+    { 2, 3, 3, 2 }, { 3, 4, 4, 2 }, { 4, 4, 4, 3 }, { 8, 2, 3, 1 }, { 9, 3, 6, 2 }, { 10, 4, 9, 2 },
+    { 11, 4, 10, 3 }, { 16, 4, 8, 2 } };
   return CellOfType(Types, type);
 }
 
@@ -281,7 +282,7 @@ private:
       this->In.Read(dimension, entity, type, count) || this->Out.Fail("a block of elements");
     const MeshFileCell cell = CellInGmsh(type);
     isRead = isRead &&
-      (cell.Corners == 0 || dimension == (cell.Corners < 3 ? int(cell.Corners) - 1 : 2) ||
+      (cell.Corners == 0 || dimension == cell.Dimension ||
         this->Out.Fail("elements of the dimension of their entity"));
     const auto found = this->Entities.find({ dimension, entity });
     const bool isKnown = found != this->Entities.end();

@@ -14,8 +14,7 @@ namespace
 
 using Vertex = MeshFile::Vertex;
 
-constexpr int TriangleInGmsh = 2;
-constexpr int EdgeInGmsh = 1;
+constexpr int TypesInGmsh[] = { 15, 1, 2, 4 }; // by dimension, as in SU2
 
 // Those of `numberOfItems` things that belong to each of `numberOfGroups`.
 std::vector<std::vector<std::size_t>> ByGroup(
@@ -29,42 +28,41 @@ std::vector<std::vector<std::size_t>> ByGroup(
   return items;
 }
 
-// A vertex belongs to the first curve that has it, else to the region of its first triangle.
-std::vector<std::vector<std::size_t>> VerticesByEntity(const MeshFile& mesh)
+// A vertex belongs to the tag of its first side, else to the region of its first cell.
+template <typename Sides, typename Cells>
+std::vector<std::vector<std::size_t>> VerticesByEntity(
+  const MeshFile& mesh, const Sides& sides, const Cells& cells)
 {
   const std::size_t none = mesh.Tags.size() + mesh.Regions.size();
   std::vector<std::size_t> entities(mesh.Points.size(), none);
-  const auto claim = [&entities, none](Vertex vertex, std::size_t entity)
+  const auto claim = [&entities, none](
+                       const auto& all, const std::vector<std::size_t>& groups, std::size_t first)
   {
-    std::size_t& owner = entities[static_cast<std::size_t>(vertex)];
-    owner = owner == none ? entity : owner;
-  };
-  for (std::size_t k = 0; k < mesh.Edges.size(); ++k)
-  {
-    claim(mesh.Edges[k][0], mesh.TagOfEdge[k]);
-    claim(mesh.Edges[k][1], mesh.TagOfEdge[k]);
-  }
-  for (std::size_t k = 0; k < mesh.Triangles.size(); ++k)
-  {
-    for (const Vertex corner : mesh.Triangles[k])
+    for (std::size_t k = 0; k < all.size(); ++k)
     {
-      claim(corner, mesh.Tags.size() + mesh.RegionOfTriangle[k]);
+      for (const Vertex vertex : all[k])
+      {
+        std::size_t& owner = entities[static_cast<std::size_t>(vertex)];
+        owner = owner == none ? first + groups[k] : owner;
+      }
     }
-  }
+  };
+  claim(sides, mesh.TagOfSide, 0);
+  claim(cells, mesh.RegionOfCell, mesh.Tags.size());
   std::replace(entities.begin(), entities.end(), none, mesh.Tags.size()); // unused points
   return ByGroup(entities, none);
 }
 
-void WritePhysicalNames(const MeshFile& mesh, std::ostream& file)
+void WritePhysicalNames(const MeshFile& mesh, int dimension, std::ostream& file)
 {
   file << "$PhysicalNames\n" << mesh.Tags.size() + mesh.Regions.size() << "\n";
   for (const MeshGroup& tag : mesh.Tags)
   {
-    file << "1 " << tag.Number << " \"" << tag.Name << "\"\n";
+    file << dimension - 1 << " " << tag.Number << " \"" << tag.Name << "\"\n";
   }
   for (const MeshGroup& region : mesh.Regions)
   {
-    file << "2 " << region.Number << " \"" << region.Name << "\"\n";
+    file << dimension << " " << region.Number << " \"" << region.Name << "\"\n";
   }
   file << "$EndPhysicalNames\n";
 }
@@ -89,10 +87,11 @@ std::string BoxText(const MeshFile& mesh, std::ostream& like)
   return text.str();
 }
 
-void WriteEntities(const MeshFile& mesh, std::ostream& file)
+void WriteEntities(const MeshFile& mesh, int dimension, std::ostream& file)
 {
   const std::string box = BoxText(mesh, file);
-  file << "$Entities\n0 " << mesh.Tags.size() << " " << mesh.Regions.size() << " 0\n";
+  file << "$Entities\n0 " << (dimension == 2 ? "" : "0 ") << mesh.Tags.size() << " "
+       << mesh.Regions.size() << (dimension == 2 ? " 0\n" : "\n");
   const auto write = [&box, &file](const std::vector<MeshGroup>& groups)
   {
     for (std::size_t k = 0; k < groups.size(); ++k)
@@ -115,18 +114,19 @@ void WriteHeader(const char* section, const std::vector<std::vector<std::size_t>
        << blocks.size() - static_cast<std::size_t>(empty) << " " << count << " 1 " << count << "\n";
 }
 
-void WriteNodes(const MeshFile& mesh, std::ostream& file)
+template <typename Sides, typename Cells>
+void WriteNodes(const MeshFile& mesh, const Sides& sides, const Cells& cells, std::ostream& file)
 {
-  const auto blocks = VerticesByEntity(mesh);
+  const auto blocks = VerticesByEntity(mesh, sides, cells);
   WriteHeader("$Nodes", blocks, mesh.Points.size(), file);
   for (std::size_t entity = 0; entity < blocks.size(); ++entity)
   {
-    const bool isCurve = entity < mesh.Tags.size();
+    const bool isTag = entity < mesh.Tags.size();
     const std::vector<std::size_t>& block = blocks[entity];
     if (!block.empty())
     {
-      file << (isCurve ? 1 : 2) << " " << (isCurve ? entity : entity - mesh.Tags.size()) + 1
-           << " 0 " << block.size() << "\n";
+      file << DimensionOf(cells) - (isTag ? 1 : 0) << " "
+           << (isTag ? entity : entity - mesh.Tags.size()) + 1 << " 0 " << block.size() << "\n";
     }
     for (const std::size_t vertex : block)
     {
@@ -143,12 +143,14 @@ void WriteNodes(const MeshFile& mesh, std::ostream& file)
 
 // One block: cells of one type in one entity, numbered on from `number`.
 template <typename Cells>
-void WriteBlock(int dimension, std::size_t entity, int type, const Cells& cells,
-  const std::vector<std::size_t>& block, std::size_t& number, std::ostream& file)
+void WriteBlock(std::size_t entity, const Cells& cells, const std::vector<std::size_t>& block,
+  std::size_t& number, std::ostream& file)
 {
   if (!block.empty())
   {
-    file << dimension << " " << entity + 1 << " " << type << " " << block.size() << "\n";
+    const int dimension = DimensionOf(cells);
+    file << dimension << " " << entity + 1 << " " << TypesInGmsh[dimension] << " " << block.size()
+         << "\n";
   }
   for (const std::size_t cell : block)
   {
@@ -161,20 +163,21 @@ void WriteBlock(int dimension, std::size_t entity, int type, const Cells& cells,
   }
 }
 
-void WriteElements(const MeshFile& mesh, std::ostream& file)
+template <typename Sides, typename Cells>
+void WriteElements(const MeshFile& mesh, const Sides& sides, const Cells& cells, std::ostream& file)
 {
-  auto blocks = ByGroup(mesh.TagOfEdge, mesh.Tags.size());
-  const auto regions = ByGroup(mesh.RegionOfTriangle, mesh.Regions.size());
+  auto blocks = ByGroup(mesh.TagOfSide, mesh.Tags.size());
+  const auto regions = ByGroup(mesh.RegionOfCell, mesh.Regions.size());
   blocks.insert(blocks.end(), regions.begin(), regions.end());
-  WriteHeader("$Elements", blocks, mesh.Edges.size() + mesh.Triangles.size(), file);
+  WriteHeader("$Elements", blocks, sides.size() + cells.size(), file);
   std::size_t number = 0;
   for (std::size_t tag = 0; tag < mesh.Tags.size(); ++tag)
   {
-    WriteBlock(1, tag, EdgeInGmsh, mesh.Edges, blocks[tag], number, file);
+    WriteBlock(tag, sides, blocks[tag], number, file);
   }
   for (std::size_t region = 0; region < regions.size(); ++region)
   {
-    WriteBlock(2, region, TriangleInGmsh, mesh.Triangles, regions[region], number, file);
+    WriteBlock(region, cells, regions[region], number, file);
   }
   file << "$EndElements\n";
 }
@@ -185,10 +188,14 @@ void WriteGmsh(const MeshFile& mesh, std::ostream& file)
 {
   file.precision(DigitsOfDouble);
   file << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
-  WritePhysicalNames(mesh, file);
-  WriteEntities(mesh, file);
-  WriteNodes(mesh, file);
-  WriteElements(mesh, file);
+  WithCells(mesh,
+    [&mesh, &file](const auto& sides, const auto& cells)
+    {
+      WritePhysicalNames(mesh, DimensionOf(cells), file);
+      WriteEntities(mesh, DimensionOf(cells), file);
+      WriteNodes(mesh, sides, cells, file);
+      WriteElements(mesh, sides, cells, file);
+    });
 }
 
 } // namespace biting

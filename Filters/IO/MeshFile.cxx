@@ -3,10 +3,14 @@
 
 #include "MeshFile.h"
 
-#include <algorithm> // for adjacent_find, any_of, binary_search, count_if, min, max, rotate, sort
-#include <map>       // for edges and their tags
-#include <numeric>   // for iota
-#include <utility>   // for pair, swap
+#include "../Kernel/Predicates/Predicates3.h"
+
+#include <algorithm>   // for adjacent_find, any_of, count_if, min, max, min_element, rotate, sort
+#include <map>         // for sides and their tags
+#include <numeric>     // for iota
+#include <tuple>       // for the corners of cells
+#include <type_traits> // for lists of cells
+#include <utility>     // for pair, swap
 
 namespace biting
 {
@@ -17,8 +21,7 @@ namespace
 using Vertex = MeshFile::Vertex;
 using Edge = std::array<Vertex, 2>;
 
-constexpr int TriangleInSU2 = 5;
-constexpr int EdgeInSU2 = 3;
+constexpr int TypesInSU2[] = { 1, 3, 5, 10 }; // by dimension: point, edge, triangle, tetrahedron
 constexpr int Mainland = 0;
 constexpr int Island = 1;
 
@@ -27,57 +30,92 @@ Edge Undirected(Vertex a, Vertex b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-std::map<Edge, std::size_t> LabelsByEdge(
-  const MeshFile& mesh, const std::vector<std::size_t>& labels)
+Edge Undirected(const Edge& edge)
 {
-  std::map<Edge, std::size_t> byEdge;
-  for (std::size_t k = 0; k < mesh.Edges.size(); ++k)
-  {
-    byEdge[Undirected(mesh.Edges[k][0], mesh.Edges[k][1])] = labels[mesh.TagOfEdge[k]];
-  }
-  return byEdge;
+  return Undirected(edge[0], edge[1]);
 }
 
-// The edges of one triangle, by their beginning, the triangle on the left.
-std::multimap<Vertex, Vertex> BoundaryEdges(const MeshFile& mesh)
+using Face = std::array<Vertex, 3>;
+
+Face Undirected(Face face)
 {
-  std::map<Edge, std::pair<int, Edge>> uses;
-  for (const std::array<Vertex, 3>& triangle : mesh.Triangles)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const Edge directed{ triangle[k], triangle[(k + 1) % 3] };
-      auto& use = uses[Undirected(directed[0], directed[1])];
-      ++use.first;
-      use.second = directed;
-    }
-  }
-  std::multimap<Vertex, Vertex> edges;
-  for (const auto& use : uses)
-  {
-    if (use.second.first == 1)
-    {
-      edges.emplace(use.second.second[0], use.second.second[1]);
-    }
-  }
-  return edges;
+  std::sort(face.begin(), face.end());
+  return face;
 }
 
-// All sides of triangles, sorted.
-template <typename MakeEdge>
-std::vector<Edge> SortedSides(const MeshFile& mesh, MakeEdge makeEdge)
+// A side is one however its corners are turned.
+Edge Directed(const Edge& edge)
 {
-  std::vector<Edge> sides;
-  sides.reserve(3 * mesh.Triangles.size());
-  for (const std::array<Vertex, 3>& triangle : mesh.Triangles)
+  return edge;
+}
+
+Face Directed(Face face)
+{
+  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+  return face;
+}
+
+// The sides of a cell: edges with it on their left, faces counterclockwise from outside.
+std::array<Edge, 3> SidesOf(const std::array<Vertex, 3>& t)
+{
+  return { { { t[0], t[1] }, { t[1], t[2] }, { t[2], t[0] } } };
+}
+
+std::array<Face, 4> SidesOf(const std::array<Vertex, 4>& t)
+{
+  return { { { t[0], t[1], t[3] }, { t[1], t[2], t[3] }, { t[2], t[0], t[3] },
+    { t[0], t[2], t[1] } } };
+}
+
+template <typename Cells>
+using SideOf = typename decltype(SidesOf(Cells().front()))::value_type;
+
+// What `make` makes of all sides of cells, sorted.
+template <typename Cells, typename Make>
+auto SortedSides(const Cells& cells, Make make)
+{
+  std::vector<decltype(make(SideOf<Cells>()))> sides;
+  sides.reserve(cells.size() * std::tuple_size<typename Cells::value_type>::value);
+  for (const auto& cell : cells)
   {
-    for (std::size_t k = 0; k < 3; ++k)
+    for (const SideOf<Cells>& side : SidesOf(cell))
     {
-      sides.push_back(makeEdge(triangle[k], triangle[(k + 1) % 3]));
+      sides.push_back(make(side));
     }
   }
   std::sort(sides.begin(), sides.end());
   return sides;
+}
+
+// The sides of one cell, in the order of their corners.
+template <typename Cells>
+std::vector<SideOf<Cells>> BoundaryOf(const Cells& cells)
+{
+  const auto sides = SortedSides(
+    cells, [](const SideOf<Cells>& side) { return std::make_pair(Undirected(side), side); });
+  std::vector<SideOf<Cells>> boundary;
+  for (std::size_t k = 0; k < sides.size(); ++k)
+  {
+    const bool isFirst = k == 0 || sides[k - 1].first != sides[k].first;
+    const bool isLast = k + 1 == sides.size() || sides[k + 1].first != sides[k].first;
+    if (isFirst && isLast)
+    {
+      boundary.push_back(sides[k].second);
+    }
+  }
+  return boundary;
+}
+
+template <typename Side>
+std::map<Side, std::size_t> LabelsBySide(
+  const MeshFile& mesh, const std::vector<Side>& sides, const std::vector<std::size_t>& labels)
+{
+  std::map<Side, std::size_t> bySide;
+  for (std::size_t k = 0; k < sides.size(); ++k)
+  {
+    bySide[Undirected(sides[k])] = labels[mesh.TagOfSide[k]];
+  }
+  return bySide;
 }
 
 // Takes a closed loop out of `edges`; its first vertex is not repeated.
@@ -133,33 +171,50 @@ void AddPaths(std::vector<Vertex> loop, std::vector<std::size_t> labels, bool is
   }
 }
 
-void WriteMarkers(const MeshFile& mesh, std::ostream& file)
+// A name for what has no tag.
+std::string NameOfUntagged(const MeshFile& mesh)
 {
-  std::vector<std::size_t> labels(mesh.Tags.size() + 1);
-  std::iota(labels.begin(), labels.end(), 0);
-  std::map<std::size_t, std::vector<Edge>> markers;
-  for (const BoundaryPath& path : BoundaryPaths(mesh, labels))
-  {
-    for (std::size_t k = 1; k < path.Vertices.size(); ++k)
-    {
-      markers[path.Label].push_back({ path.Vertices[k - 1], path.Vertices[k] });
-    }
-  }
   std::string untagged = "boundary";
   while (std::any_of(mesh.Tags.begin(), mesh.Tags.end(),
     [&untagged](const MeshGroup& tag) { return tag.Name == untagged; }))
   {
     untagged += '_';
   }
+  return untagged;
+}
+
+template <typename Cell>
+void WriteCorners(int type, const Cell& cell, std::ostream& file)
+{
+  file << type;
+  for (const Vertex corner : cell)
+  {
+    file << " " << corner;
+  }
+}
+
+template <typename Sides, typename Cells>
+void WriteMarkers(const MeshFile& mesh, const Sides& sides, const Cells& cells, std::ostream& file)
+{
+  std::vector<std::size_t> labels(mesh.Tags.size());
+  std::iota(labels.begin(), labels.end(), 0);
+  const auto bySide = LabelsBySide(mesh, sides, labels);
+  std::map<std::size_t, Sides> markers;
+  for (const auto& side : BoundaryOf(cells))
+  {
+    const auto found = bySide.find(Undirected(side));
+    markers[found != bySide.end() ? found->second : mesh.Tags.size()].push_back(side);
+  }
   file << "NMARK= " << markers.size() << "\n";
   for (const auto& marker : markers)
   {
     const bool isTagged = marker.first < mesh.Tags.size();
-    file << "MARKER_TAG= " << (isTagged ? mesh.Tags[marker.first].Name : untagged)
+    file << "MARKER_TAG= " << (isTagged ? mesh.Tags[marker.first].Name : NameOfUntagged(mesh))
          << "\nMARKER_ELEMS= " << marker.second.size() << "\n";
-    for (const Edge& edge : marker.second)
+    for (const auto& side : marker.second)
     {
-      file << EdgeInSU2 << " " << edge[0] << " " << edge[1] << "\n";
+      WriteCorners(TypesInSU2[DimensionOf(sides)], side, file);
+      file << "\n";
     }
   }
 }
@@ -228,12 +283,17 @@ bool EndsWith(const std::string& name, const std::string& end)
   return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
 }
 
-std::size_t CountEdgesOfNoTriangle(const MeshFile& mesh)
+std::size_t CountSidesOfNoCell(const MeshFile& mesh)
 {
-  const std::vector<Edge> sides = SortedSides(mesh, Undirected);
-  return static_cast<std::size_t>(std::count_if(mesh.Edges.begin(), mesh.Edges.end(),
-    [&sides](const Edge& edge)
-    { return !std::binary_search(sides.begin(), sides.end(), Undirected(edge[0], edge[1])); }));
+  return WithCells(mesh,
+    [](const auto& sides, const auto& cells)
+    {
+      using Side = typename std::decay_t<decltype(sides)>::value_type;
+      const auto all = SortedSides(cells, [](const Side& side) { return Undirected(side); });
+      return static_cast<std::size_t>(std::count_if(sides.begin(), sides.end(),
+        [&all](const Side& side)
+        { return !std::binary_search(all.begin(), all.end(), Undirected(side)); }));
+    });
 }
 
 void OrientUpwards(MeshFile& mesh)
@@ -247,13 +307,36 @@ void OrientUpwards(MeshFile& mesh)
   }
 }
 
-bool IsBoundaryOfLoops(const MeshFile& mesh)
+std::size_t OrientTetrahedra(MeshFile& mesh)
 {
-  const std::vector<Edge> sides = SortedSides(mesh,
-    [](Vertex a, Vertex b) {
-      return Edge{ a, b };
+  const auto at = [&mesh](Vertex vertex)
+  {
+    const auto& place = mesh.Points[static_cast<std::size_t>(vertex)];
+    return Point3{ place[0], place[1], place[2] };
+  };
+  int sign = 1;
+  std::size_t count = 0;
+  while (sign != 0 && count < mesh.Tetrahedra.size())
+  {
+    auto& corners = mesh.Tetrahedra[count];
+    sign = Orient3D(at(corners[0]), at(corners[1]), at(corners[2]), at(corners[3]));
+    if (sign < 0)
+    {
+      std::swap(corners[2], corners[3]);
+    }
+    count += sign != 0 ? 1 : 0;
+  }
+  return count;
+}
+
+bool IsBoundaryClosed(const MeshFile& mesh)
+{
+  return WithCells(mesh,
+    [](const auto& /*sides*/, const auto& cells)
+    {
+      const auto all = SortedSides(cells, [](const auto& side) { return Directed(side); });
+      return std::adjacent_find(all.begin(), all.end()) == all.end();
     });
-  return std::adjacent_find(sides.begin(), sides.end()) == sides.end();
 }
 
 std::string FindOpenTags(const MeshFile& mesh, const std::string& names, std::vector<bool>& areOpen)
@@ -297,8 +380,12 @@ std::string FindOpenTags(const MeshFile& mesh, const std::string& names, std::ve
 std::vector<BoundaryPath> BoundaryPaths(
   const MeshFile& mesh, const std::vector<std::size_t>& labels)
 {
-  const std::map<Edge, std::size_t> byEdge = LabelsByEdge(mesh, labels);
-  std::multimap<Vertex, Vertex> edges = BoundaryEdges(mesh);
+  const std::map<Edge, std::size_t> byEdge = LabelsBySide(mesh, mesh.Edges, labels);
+  std::multimap<Vertex, Vertex> edges; // by their beginning
+  for (const Edge& edge : BoundaryOf(mesh.Triangles))
+  {
+    edges.emplace(edge[0], edge[1]);
+  }
   std::vector<BoundaryPath> paths;
   while (!edges.empty())
   {
@@ -317,19 +404,28 @@ std::vector<BoundaryPath> BoundaryPaths(
 void WriteSU2(const MeshFile& mesh, std::ostream& file)
 {
   file.precision(DigitsOfDouble);
-  file << "NDIME= 2\nNELEM= " << mesh.Triangles.size() << "\n";
-  std::size_t number = 0;
-  for (const std::array<Vertex, 3>& corners : mesh.Triangles)
-  {
-    file << TriangleInSU2 << " " << corners[0] << " " << corners[1] << " " << corners[2] << " "
-         << number++ << "\n";
-  }
-  file << "NPOIN= " << mesh.Points.size() << "\n";
-  for (std::size_t vertex = 0; vertex < mesh.Points.size(); ++vertex)
-  {
-    file << mesh.Points[vertex][0] << " " << mesh.Points[vertex][1] << " " << vertex << "\n";
-  }
-  WriteMarkers(mesh, file);
+  WithCells(mesh,
+    [&mesh, &file](const auto& sides, const auto& cells)
+    {
+      const int dimension = DimensionOf(cells);
+      file << "NDIME= " << dimension << "\nNELEM= " << cells.size() << "\n";
+      std::size_t number = 0;
+      for (const auto& cell : cells)
+      {
+        WriteCorners(TypesInSU2[dimension], cell, file);
+        file << " " << number++ << "\n";
+      }
+      file << "NPOIN= " << mesh.Points.size() << "\n";
+      for (std::size_t vertex = 0; vertex < mesh.Points.size(); ++vertex)
+      {
+        for (int axis = 0; axis < dimension; ++axis)
+        {
+          file << mesh.Points[vertex][static_cast<std::size_t>(axis)] << " ";
+        }
+        file << vertex << "\n";
+      }
+      WriteMarkers(mesh, sides, cells, file);
+    });
 }
 
 void WriteADCIRC(const MeshFile& mesh, const std::vector<bool>& areOpen, std::ostream& file)

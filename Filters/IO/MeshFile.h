@@ -13,9 +13,9 @@
 #include <vector>  // for lists
 
 /**
- * Meshes of triangles in the formats of solvers. No VTK, but its NetCDF library for UGRID: plain
- * lists in, files out. Numbers are written so that reading gives them back bit for bit. Ids begin
- * with 0 in lists, in SU2 and in UGRID, with 1 in Gmsh, ADCIRC and SMS.
+ * Meshes of triangles or tetrahedra in the formats of solvers. No VTK, but its NetCDF library for
+ * UGRID: plain lists in, files out. Numbers are written so that reading gives them back bit for
+ * bit. Ids begin with 0 in lists, in SU2 and in UGRID, with 1 in Gmsh, ADCIRC and SMS.
  */
 namespace biting
 {
@@ -26,37 +26,63 @@ constexpr int DigitsOfDouble = std::numeric_limits<double>::max_digits10;
 /// Whether a file has a name with this end, by which the format is chosen.
 bool EndsWith(const std::string& name, const std::string& end);
 
-/// What a set of edges or triangles is called in a file.
+/// What a set of cells or sides is called in a file.
 struct MeshGroup
 {
   std::int64_t Number = 0; // above 0, different for groups of one dimension
   std::string Name;
 };
 
+/// Cells are tetrahedra, and sides triangles; where there are no tetrahedra, cells are triangles,
+/// and sides edges.
 struct MeshFile
 {
   using Vertex = std::int64_t;
 
   std::vector<std::array<double, 3>> Points;
   std::vector<double> Depths; // one a point, or empty: all 0
+  std::vector<std::array<Vertex, 4>> Tetrahedra;
   std::vector<std::array<Vertex, 3>> Triangles;
-  std::vector<std::size_t> RegionOfTriangle; // index into Regions
+  std::vector<std::array<Vertex, 2>> Edges;
+  std::vector<std::size_t> RegionOfCell; // index into Regions
   std::vector<MeshGroup> Regions;
-  std::vector<std::array<Vertex, 2>> Edges; // on boundary and interfaces
-  std::vector<std::size_t> TagOfEdge;       // index into Tags
+  std::vector<std::size_t> TagOfSide; // index into Tags; sides are on boundary and interfaces
   std::vector<MeshGroup> Tags;
   bool AreDegrees = false; // x and y: longitude and latitude
+
+  bool IsSolid() const { return !this->Tetrahedra.empty(); }
+
+  std::size_t NumberOfCells() const
+  {
+    return this->IsSolid() ? this->Tetrahedra.size() : this->Triangles.size();
+  }
 };
 
-/// The number of edges that are no side of a triangle, as those of another mesh with the same
-/// vertices.
-std::size_t CountEdgesOfNoTriangle(const MeshFile& mesh);
+/// Returns use(sides, cells), the lists of `mesh`.
+template <typename Use>
+auto WithCells(const MeshFile& mesh, Use use)
+{
+  return mesh.IsSolid() ? use(mesh.Triangles, mesh.Tetrahedra) : use(mesh.Edges, mesh.Triangles);
+}
+
+/// 2 of triangles, 3 of tetrahedra.
+template <std::size_t Corners>
+constexpr int DimensionOf(const std::vector<std::array<MeshFile::Vertex, Corners>>& /*cells*/)
+{
+  return static_cast<int>(Corners) - 1;
+}
+
+/// The number of sides that no cell has, as those of another mesh with the same vertices.
+std::size_t CountSidesOfNoCell(const MeshFile& mesh);
 
 /// Turns triangles that are clockwise in x and y, as the formats of the plane want them.
 void OrientUpwards(MeshFile& mesh);
 
-/// Whether each side has at most one triangle on its left: then the boundary is loops.
-bool IsBoundaryOfLoops(const MeshFile& mesh);
+/// Turns tetrahedra of negative volume. Returns the first of volume 0, else their number.
+std::size_t OrientTetrahedra(MeshFile& mesh);
+
+/// Whether each side has at most one cell on its left: then the boundary is closed.
+bool IsBoundaryClosed(const MeshFile& mesh);
 
 /// A path along the boundary with one label, the domain on its left; closed where its ends agree.
 struct BoundaryPath
@@ -77,16 +103,16 @@ std::vector<BoundaryPath> BoundaryPaths(
 std::string FindOpenTags(
   const MeshFile& mesh, const std::string& names, std::vector<bool>& areOpen);
 
-/// Gmsh 4.1, ASCII: regions and tags as physical groups of triangles and edges.
+/// Gmsh 4.1, ASCII: regions and tags as physical groups of cells and sides.
 void WriteGmsh(const MeshFile& mesh, std::ostream& file);
 
-/// SU2: x and y; the tags of the boundary as markers. Interfaces and regions are left out: the
-/// format has no place for them. Expects IsBoundaryOfLoops.
+/// SU2: x, y and, of tetrahedra, z; the tags of the boundary as markers, the cells on their left.
+/// Interfaces and regions are left out: the format has no place for them. Expects IsBoundaryClosed.
 void WriteSU2(const MeshFile& mesh, std::ostream& file);
 
 /// ADCIRC grid (fort.14): x, y and depth; boundary with one of the tags that are open as open, the
 /// rest as land: islands (type 1) around holes of land only, else mainland (type 0). A loop that is
-/// all open is two open boundaries, since none may be a loop. Expects IsBoundaryOfLoops.
+/// all open is two open boundaries, since none may be a loop. Expects IsBoundaryClosed.
 void WriteADCIRC(const MeshFile& mesh, const std::vector<bool>& areOpen, std::ostream& file);
 
 /// SMS (2dm): x, y and, as z, the depth with the other sign; regions as materials, tags as node
@@ -103,18 +129,19 @@ void WriteUGRID(const MeshFile& mesh, std::ostream& file);
 /// Files made by any program are read. Vertices keep the order that they have there, whatever their
 /// numbers. Quads become two triangles each (Quality/QuadDiagonal.h). Of cells of order 2 the
 /// corners are read, and vertices that are no corner of another cell are left out. A cell that is
-/// listed once for each of its groups is read once, in the first of them.
+/// listed once for each of its groups is read once, in the first of them. Edges beside tetrahedra
+/// are left out.
 struct ReadingResult
 {
   std::string Reason;               // why there is no mesh, with the line; empty where there is one
   std::vector<std::string> Remarks; // sentences: what of the file the mesh does not have
 };
 
-/// Gmsh 2.2 and 4.1, ASCII. Groups are the physical groups; where the file has none, the curves
-/// and surfaces themselves, without names.
+/// Gmsh 2.2 and 4.1, ASCII. Groups are the physical groups; where the file has none, the curves,
+/// surfaces and volumes themselves, without names.
 ReadingResult ReadGmsh(std::istream& file, MeshFile& mesh);
 
-/// SU2 of two dimensions: markers as tags. Markers keep the numbers that they are called by if all
+/// SU2: markers as tags. Markers keep the numbers that they are called by if all
 /// are whole numbers from 1 to 2147483647, else they are numbered from 1 on.
 ReadingResult ReadSU2(std::istream& file, MeshFile& mesh);
 

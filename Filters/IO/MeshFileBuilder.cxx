@@ -27,6 +27,8 @@ std::string Trimmed(const std::string& text)
 }
 
 constexpr std::size_t MostGroupsShown = 5;
+constexpr const char* CellNames[] = { "points", "edges", "triangles",
+  "tetrahedra" }; // by dimension
 
 std::string InLine(std::size_t line)
 {
@@ -153,13 +155,13 @@ std::string MeshFileLines::Expected(const std::string& what) const
     : "Line " + std::to_string(this->Number) + " is not what it should be: " + what + ".";
 }
 
-MeshFileCell CellOfType(const std::vector<std::array<std::size_t, 3>>& types, int type)
+MeshFileCell CellOfType(const std::vector<std::array<int, 4>>& types, int type)
 {
-  for (const auto& [number, corners, vertices] : types)
+  for (const auto& [number, corners, vertices, dimension] : types)
   {
-    if (type >= 0 && number == static_cast<std::size_t>(type))
+    if (number == type)
     {
-      return { corners, vertices };
+      return { static_cast<std::size_t>(corners), static_cast<std::size_t>(vertices), dimension };
     }
   }
   return {};
@@ -204,6 +206,7 @@ bool MeshFileBuilder::AddCell(
   Cell cell;
   cell.Corners = corners;
   cell.Size = size;
+  cell.Dimension = size == 2 ? 1 : 2;
   return this->Add(cell, group);
 }
 
@@ -212,6 +215,7 @@ bool MeshFileBuilder::ReadCell(const MeshFileCell& kind, const Group& group)
   this->PassedOver += kind.Corners == 0 ? 1 : 0;
   Cell cell;
   cell.Size = kind.Corners;
+  cell.Dimension = kind.Dimension;
   cell.IsOfOrderTwo = kind.Vertices > kind.Corners;
   for (std::size_t k = 0; k < kind.Vertices; ++k)
   {
@@ -236,7 +240,7 @@ bool MeshFileBuilder::ReadCell(const MeshFileCell& kind, const Group& group)
 bool MeshFileBuilder::Add(Cell& cell, const Group& group)
 {
   auto& corners = cell.Corners;
-  for (std::size_t k = 0; k < 4 && cell.Size == 4; ++k)
+  for (std::size_t k = 0; k < 4 && cell.Size == 4 && cell.Dimension == 2; ++k)
   {
     if (corners[k] == corners[(k + 1) % 4])
     {
@@ -252,11 +256,12 @@ bool MeshFileBuilder::Add(Cell& cell, const Group& group)
       return this->Fail("a cell with corners that differ");
     }
   }
-  Groups& groups = this->GroupsOf(cell.Dimension());
+  Groups& groups = this->GroupsOf(cell.Dimension);
   cell.Group = groups.emplace(group, groups.size()).first->second;
   cell.GroupNumber = group.first;
   cell.Line = this->In.LineNumber();
   this->Cells.push_back(cell);
+  this->Dimension = std::max(this->Dimension, cell.Dimension);
   return true;
 }
 
@@ -274,8 +279,8 @@ ReadingResult MeshFileBuilder::Finish(const NameOf& nameOf)
     {
       this->RemoveMiddles();
       this->AddRemarks(nameOf);
-      this->MakeGroups(2, nameOf, this->Mesh.RegionOfTriangle, this->Mesh.Regions);
-      this->MakeGroups(1, nameOf, this->Mesh.TagOfEdge, this->Mesh.Tags);
+      this->MakeGroups(this->Dimension, nameOf, this->Mesh.RegionOfCell, this->Mesh.Regions);
+      this->MakeGroups(this->Dimension - 1, nameOf, this->Mesh.TagOfSide, this->Mesh.Tags);
     }
   }
   return this->Result;
@@ -314,14 +319,15 @@ bool MeshFileBuilder::FindVertex(std::size_t line, std::int64_t& number)
 // Of cells with the same vertices the first that has a group stays, else the first.
 void MeshFileBuilder::PassRepeatedCells()
 {
-  std::map<std::array<std::int64_t, 4>, std::size_t> kept; // by the sorted corners
+  using Corners = std::array<std::int64_t, 4>;
+  std::map<std::pair<int, Corners>, std::size_t> kept; // by dimension and sorted corners
   std::vector<bool> isPassed(this->Cells.size(), false);
   for (std::size_t k = 0; k < this->Cells.size(); ++k)
   {
     const Cell& cell = this->Cells[k];
-    std::array<std::int64_t, 4> corners = cell.Corners;
+    Corners corners = cell.Corners;
     std::sort(corners.begin(), corners.end());
-    const auto [entry, isNew] = kept.emplace(corners, k);
+    const auto [entry, isNew] = kept.emplace(std::make_pair(cell.Dimension, corners), k);
     if (isNew)
     {
       continue;
@@ -336,7 +342,7 @@ void MeshFileBuilder::PassRepeatedCells()
     }
     else
     {
-      this->LeaveOut(cell.Dimension(), cell.GroupNumber, 1);
+      this->LeaveOut(cell.Dimension, cell.GroupNumber, 1);
     }
   }
   std::size_t count = 0;
@@ -351,30 +357,43 @@ void MeshFileBuilder::PassRepeatedCells()
 bool MeshFileBuilder::AddCells()
 {
   bool areAdded = true;
-  for (const Cell& cell : this->Cells)
+  for (auto cell = this->Cells.begin(); areAdded && cell != this->Cells.end(); ++cell)
   {
-    const auto& corners = cell.Corners;
-    this->OfOrderTwo += cell.IsOfOrderTwo ? 1 : 0;
-    if (cell.Size == 2)
-    {
-      this->Mesh.Edges.push_back({ corners[0], corners[1] });
-      this->Mesh.TagOfEdge.push_back(cell.Group);
-    }
-    else if (cell.Size == 3)
-    {
-      this->Mesh.Triangles.push_back({ corners[0], corners[1], corners[2] });
-      this->Mesh.RegionOfTriangle.push_back(cell.Group);
-    }
-    else
-    {
-      areAdded = areAdded && this->AddQuad(cell);
-    }
+    areAdded = this->AddCell(*cell);
   }
-  if (areAdded && this->Mesh.Triangles.empty())
+  if (areAdded && this->Mesh.NumberOfCells() == 0)
   {
-    this->Result.Reason = "The file has no triangles.";
+    this->Result.Reason = "The file has no triangles or tetrahedra.";
   }
   return this->Result.Reason.empty();
+}
+
+// A quad has two triangles, and each its group.
+bool MeshFileBuilder::AddCell(const Cell& cell)
+{
+  const auto& corners = cell.Corners;
+  const bool isQuad = cell.Size == 4 && cell.Dimension == 2;
+  this->OfOrderTwo += cell.IsOfOrderTwo ? 1 : 0;
+  if (cell.Dimension + 1 < this->Dimension)
+  {
+    ++this->EdgesBeside;
+    return true;
+  }
+  auto& groups = cell.Dimension == this->Dimension ? this->Mesh.RegionOfCell : this->Mesh.TagOfSide;
+  groups.insert(groups.end(), isQuad ? 2 : 1, cell.Group);
+  if (cell.Dimension == 1)
+  {
+    this->Mesh.Edges.push_back({ corners[0], corners[1] });
+  }
+  else if (cell.Dimension == 3)
+  {
+    this->Mesh.Tetrahedra.push_back(corners);
+  }
+  else if (!isQuad)
+  {
+    this->Mesh.Triangles.push_back({ corners[0], corners[1], corners[2] });
+  }
+  return !isQuad || this->AddQuad(cell);
 }
 
 bool MeshFileBuilder::AddQuad(const Cell& cell)
@@ -395,7 +414,6 @@ bool MeshFileBuilder::AddQuad(const Cell& cell)
   {
     this->Mesh.Triangles.push_back(
       { cell.Corners[triangle[0]], cell.Corners[triangle[1]], cell.Corners[triangle[2]] });
-    this->Mesh.RegionOfTriangle.push_back(cell.Group);
   }
   ++this->Quads;
   return true;
@@ -439,6 +457,7 @@ void MeshFileBuilder::RemoveMiddles()
       }
     }
   };
+  renumber(this->Mesh.Tetrahedra);
   renumber(this->Mesh.Triangles);
   renumber(this->Mesh.Edges);
 }
@@ -477,11 +496,15 @@ void MeshFileBuilder::AddRemarks(const NameOf& nameOf)
       this->Remark(Count(count, what) + how);
     }
   };
-  say(this->PassedOver, "cell", "neither triangle nor quad nor edge, and left out.");
+  say(
+    this->PassedOver, "cell", "neither tetrahedron nor triangle nor quad nor edge, and left out.");
+  say(this->EdgesBeside, "edge", "left out beside tetrahedra.");
   say(this->Quads, "quad", "divided into two triangles each.");
   say(this->OfOrderTwo, "cell", "of order 2: only the corners are read.");
   say(this->Repeated, "cell", "listed once more, and read once.");
-  say(CountEdgesOfNoTriangle(this->Mesh), "edge", "no side of a triangle.");
+  const bool isSolid = this->Mesh.IsSolid();
+  say(CountSidesOfNoCell(this->Mesh), isSolid ? "triangle" : "edge",
+    isSolid ? "no side of a tetrahedron." : "no side of a triangle.");
   std::string text;
   std::size_t shown = 0;
   for (const auto& other : this->OtherGroups)
@@ -490,9 +513,8 @@ void MeshFileBuilder::AddRemarks(const NameOf& nameOf)
     const std::string name = nameOf(dimension, number);
     if (++shown <= MostGroupsShown)
     {
-      text += (text.empty() ? "" : ", ") + std::string(dimension == 1 ? "edges" : "triangles") +
-        " in " + (name.empty() ? std::to_string(number) : name) + " (" +
-        std::to_string(other.second) + ")";
+      text += (text.empty() ? "" : ", ") + std::string(CellNames[dimension]) + " in " +
+        (name.empty() ? std::to_string(number) : name) + " (" + std::to_string(other.second) + ")";
     }
   }
   if (shown > 0)

@@ -108,26 +108,28 @@ private:
   bool IsAtEnd = false;
 };
 
-/// A kind of cell of a file: 2 corners of an edge, 3 of a triangle, 4 of a quad, first among the
-/// vertices that are listed. One corner: a point; none: a cell that is passed over.
+/// A kind of cell of a file: 2 corners of an edge, 3 of a triangle, 4 of a quad or of a
+/// tetrahedron, first among the vertices that are listed. One corner: a point; none: a cell that is
+/// passed over.
 struct MeshFileCell
 {
   std::size_t Corners = 0;
   std::size_t Vertices = 0;
+  int Dimension = 0;
 };
 
-/// The cell whose type is among `types`: its number, corners and vertices.
-MeshFileCell CellOfType(const std::vector<std::array<std::size_t, 3>>& types, int type);
+/// The cell whose type is among `types`: its number, corners, vertices and dimension.
+MeshFileCell CellOfType(const std::vector<std::array<int, 4>>& types, int type);
 
 /// Makes a mesh of vertices that have numbers, and of cells that name these, in any order.
 class MeshFileBuilder
 {
 public:
-  /// What a cell says of its group: a number, 0 where it has none; and the curve or surface that
-  /// it is part of.
+  /// What a cell says of its group: a number, 0 where it has none; and the curve, surface or volume
+  /// that it is part of.
   using Group = std::pair<std::int64_t, std::int64_t>;
 
-  /// The name of a group of edges (dimension 1) or triangles (2).
+  /// The name of a group of edges (dimension 1), triangles (2) or tetrahedra (3).
   using NameOf = std::function<std::string(int dimension, std::int64_t number)>;
 
   MeshFileBuilder(MeshFileLines& lines, MeshFile& mesh);
@@ -151,8 +153,8 @@ public:
   void LeaveOut(int dimension, std::int64_t group, std::size_t cells);
 
   /// Puts vertices in the place of numbers, reads repeated cells once, divides quads, and joins
-  /// groups of one number. Where no cell of a dimension has a number, curves or surfaces are the
-  /// groups.
+  /// groups of one number. Where no cell of a dimension has a number, curves, surfaces or volumes
+  /// are the groups.
   ReadingResult Finish(const NameOf& nameOf);
 
 private:
@@ -160,21 +162,21 @@ private:
   {
     std::array<std::int64_t, 4> Corners{ -1, -1, -1, -1 };
     std::size_t Size = 0;
+    int Dimension = 0;
     std::size_t Group = 0; // index into those of the dimension
     std::int64_t GroupNumber = 0;
     std::size_t Line = 0;
     bool IsOfOrderTwo = false;
-
-    int Dimension() const { return this->Size == 2 ? 1 : 2; }
   };
   using Groups = std::map<Group, std::size_t>;
 
-  Groups& GroupsOf(int dimension) { return this->AllGroups[dimension == 1 ? 0 : 1]; }
+  Groups& GroupsOf(int dimension) { return this->AllGroups[static_cast<std::size_t>(dimension)]; }
   bool Add(Cell& cell, const Group& group);
   bool FindVertices();
   bool FindVertex(std::size_t line, std::int64_t& number);
   void PassRepeatedCells();
   bool AddCells();
+  bool AddCell(const Cell& cell);
   bool AddQuad(const Cell& cell);
   void RemoveMiddles();
   void MakeGroups(int dimension, const NameOf& nameOf, std::vector<std::size_t>& ofCells,
@@ -187,9 +189,11 @@ private:
   std::unordered_map<std::int64_t, MeshFile::Vertex> Vertices; // by number, never in its order
   std::vector<Cell> Cells;
   std::vector<std::pair<std::int64_t, std::size_t>> Middles; // of cells of order 2, with lines
-  std::array<Groups, 2> AllGroups;                           // of edges, of triangles
+  std::array<Groups, 4> AllGroups;                           // by dimension
   std::map<std::pair<int, std::int64_t>, std::size_t> OtherGroups; // how many cells, by number
+  int Dimension = 2;                                               // of the mesh
   std::size_t PassedOver = 0;
+  std::size_t EdgesBeside = 0; // tetrahedra
   std::size_t Repeated = 0;
   std::size_t Quads = 0;
   std::size_t OfOrderTwo = 0;

@@ -15,15 +15,15 @@ namespace
 using Flags = std::vector<bool>;
 
 const MeshFormat Formats[] = {
-  { ".msh", false, false, false, true, false, ReadGmsh,
+  { ".msh", false, true, false, false, true, false, ReadGmsh,
     [](const MeshFile& mesh, const Flags&, std::ostream& file) { WriteGmsh(mesh, file); } },
-  { ".su2", true, false, false, false, true, ReadSU2,
+  { ".su2", true, true, false, false, false, true, ReadSU2,
     [](const MeshFile& mesh, const Flags&, std::ostream& file) { WriteSU2(mesh, file); } },
-  { ".14", true, true, true, false, false, ReadADCIRC, WriteADCIRC },
-  { ".gr3", true, true, true, false, false, ReadADCIRC, WriteADCIRC },
-  { ".2dm", true, true, false, true, false, ReadSMS,
+  { ".14", true, false, true, true, false, false, ReadADCIRC, WriteADCIRC },
+  { ".gr3", true, false, true, true, false, false, ReadADCIRC, WriteADCIRC },
+  { ".2dm", true, false, true, false, true, false, ReadSMS,
     [](const MeshFile& mesh, const Flags&, std::ostream& file) { WriteSMS(mesh, file); } },
-  { ".nc", true, true, false, true, false, nullptr,
+  { ".nc", true, false, true, false, true, false, nullptr,
     [](const MeshFile& mesh, const Flags&, std::ostream& file) { WriteUGRID(mesh, file); } },
 };
 

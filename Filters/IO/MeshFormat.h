@@ -18,9 +18,10 @@ namespace biting
 struct MeshFormat
 {
   const char* End;
-  bool IsPlanar;    ///< x and y only: WriteMesh expects IsBoundaryOfLoops
-  bool HasDepths;   ///< of points
-  bool HasOpenTags; ///< of the boundary, other tags are land
+  bool IsPlanar;      ///< x and y only of triangles: WriteMesh expects IsBoundaryClosed
+  bool HasTetrahedra; ///< in space
+  bool HasDepths;     ///< of points
+  bool HasOpenTags;   ///< of the boundary, other tags are land
   bool HasRegions;
   bool HasPlainNames; ///< of tags: without blanks and other signs that end names in SU2
   ReadingResult (*Read)(std::istream& file, MeshFile& mesh); ///< null: not read

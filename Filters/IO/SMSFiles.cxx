@@ -165,7 +165,7 @@ std::vector<std::vector<Vertex>> StringsOf(const MeshFile& mesh, std::size_t tag
   std::multimap<Vertex, std::size_t> edgesAt;
   for (std::size_t edge = 0; edge < mesh.Edges.size(); ++edge)
   {
-    if (mesh.TagOfEdge[edge] == tag)
+    if (mesh.TagOfSide[edge] == tag)
     {
       edgesAt.emplace(mesh.Edges[edge][0], edge);
       edgesAt.emplace(mesh.Edges[edge][1], edge);
@@ -230,7 +230,7 @@ void WriteSMS(const MeshFile& mesh, std::ostream& file)
     {
       file << " " << corner + 1;
     }
-    file << " " << mesh.Regions[mesh.RegionOfTriangle[k]].Number << "\n";
+    file << " " << mesh.Regions[mesh.RegionOfCell[k]].Number << "\n";
   }
   for (std::size_t vertex = 0; vertex < mesh.Points.size(); ++vertex)
   {

@@ -15,8 +15,9 @@ namespace
 // The types of VTK.
 MeshFileCell CellInSU2(int type)
 {
-  static const std::vector<std::array<std::size_t, 3>> Types{ { 1, 1, 1 }, { 3, 2, 2 }, { 5, 3, 3 },
-    { 9, 4, 4 }, { 21, 2, 3 }, { 22, 3, 6 }, { 23, 4, 8 } };
+  static const std::vector<std::array<int, 4>> Types{ { 1, 1, 1, 0 }, { 3, 2, 2, 1 },
+    { 5, 3, 3, 2 }, { 9, 4, 4, 2 }, { 10, 4, 4, 3 }, { 21, 2, 3, 1 }, { 22, 3, 6, 2 },
+    { 23, 4, 8, 2 }, { 24, 4, 10, 3 } };
   return CellOfType(Types, type);
 }
 
@@ -71,7 +72,7 @@ public:
         std::to_string(this->ReadMarkers));
     }
     return this->Out.Finish([this](int dimension, std::int64_t number)
-      { return dimension == 1 ? this->NameOf(number) : std::string(); });
+      { return dimension < this->Dimension ? this->NameOf(number) : std::string(); });
   }
 
 private:
@@ -110,10 +111,15 @@ private:
     {
       return this->Out.Fail("a number after " + key + "=");
     }
-    if (key == "NDIME" || key == "NZONE")
+    if (key == "NZONE")
     {
-      const std::size_t wanted = key == "NDIME" ? 2 : 1;
-      return count == wanted || this->Out.Fail(key + "= " + std::to_string(wanted));
+      return count == 1 || this->Out.Fail("NZONE= 1");
+    }
+    if (key == "NDIME")
+    {
+      this->Dimension = count == 3 ? 3 : 2;
+      return count == 2 || (count == 3 && this->Keys.count("NPOIN") == 0) ||
+        this->Out.Fail("NDIME= 2, or, before NPOIN=, NDIME= 3");
     }
     if (key == "NMARK")
     {
@@ -139,8 +145,9 @@ private:
       isRead = this->In.Read(type) || this->Out.Fail("an element");
       const MeshFileCell cell = CellInSU2(type);
       isRead = isRead &&
-        (group == 0 || cell.Corners == 1 || cell.Corners == 2 ||
-          this->Out.Fail("an edge of a marker"));
+        (cell.Corners < 2 || cell.Dimension == this->Dimension - 1 ||
+          (group == 0 && cell.Dimension <= this->Dimension) ||
+          this->Out.Fail(group == 0 ? "an element of NDIME=" : "an edge or face of a marker"));
       // Of other cells, and points with what turns them, nothing is known of the rest.
       isRead =
         isRead && this->Out.ReadCell(cell, { group, 0 }) && (cell.Corners < 2 || this->EndLine());
@@ -154,7 +161,9 @@ private:
     for (std::size_t k = 0; isRead && k < count; ++k)
     {
       std::array<double, 3> place{};
-      isRead = (this->In.Read(place[0], place[1]) || this->Out.Fail("a point")) &&
+      isRead =
+        ((this->In.Read(place[0], place[1]) && (this->Dimension == 2 || this->In.More(place[2]))) ||
+          this->Out.Fail("a point")) &&
         this->EndLine() && this->Out.AddVertex(static_cast<std::int64_t>(k), place);
     }
     return isRead;
@@ -182,6 +191,7 @@ private:
   MeshFileBuilder Out;
   std::set<std::string> Keys;
   std::vector<std::string> Markers;
+  int Dimension = 2;
   std::size_t NumberOfMarkers = 0;
   std::size_t ReadMarkers = 0;
   bool IsPassing = false; // over the lines of what we have no use for

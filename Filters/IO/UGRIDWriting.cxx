@@ -150,7 +150,7 @@ Sides SidesOf(const MeshFile& mesh)
     const Pair edge{ static_cast<int>(low), static_cast<int>(high) };
     const auto found = std::lower_bound(sides.Edges.begin(), sides.Edges.end(), edge);
     sides.Tags[static_cast<std::size_t>(found - sides.Edges.begin())] =
-      static_cast<int>(mesh.Tags[mesh.TagOfEdge[k]].Number);
+      static_cast<int>(mesh.Tags[mesh.TagOfSide[k]].Number);
   }
   return sides;
 }
@@ -236,7 +236,7 @@ void PutFaces(NetCDFFile& out, const MeshFile& mesh, int faceNodes, int regions)
   for (std::size_t k = 0; k < mesh.Triangles.size(); ++k)
   {
     corners.insert(corners.end(), mesh.Triangles[k].begin(), mesh.Triangles[k].end());
-    numbers.push_back(static_cast<int>(mesh.Regions[mesh.RegionOfTriangle[k]].Number));
+    numbers.push_back(static_cast<int>(mesh.Regions[mesh.RegionOfCell[k]].Number));
   }
   out.Do(nc_put_var_int, faceNodes, corners.data());
   out.Do(nc_put_var_int, regions, numbers.data());

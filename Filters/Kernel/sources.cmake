@@ -26,7 +26,6 @@ set(biting_kernel_sources
   Domain/BoundaryComponents.cxx
   Domain/CellOverlaps.cxx
   Domain/ChainKinds.cxx
-  Domain/CrossingEstimate.cxx
   Domain/Domain.cxx
   Domain/DomainCheck.cxx
   Domain/EndSurroundings.cxx
@@ -51,7 +50,6 @@ set(biting_kernel_sources
   Simplification/DomainChains.cxx
   Simplification/Simplification.cxx
   Simplification/SmallLoops.cxx
-  Simplification/VertexTree.cxx
   Biting/Bisectors.cxx
   Biting/BiteFrame.cxx
   Biting/BiteGrid.cxx

@@ -39,15 +39,6 @@ TriangulatedSource Jittered(int nodes, const Field& field)
   return source;
 }
 
-TriangulatedSource OnAPart(TriangulatedSource source)
-{
-  for (Point2& point : source.Points)
-  {
-    point = { 0.3 + 0.3 * point.X, 0.2 + 0.4 * point.Y };
-  }
-  return source;
-}
-
 TriangulatedSource WithGaps(const TriangulatedSource& source)
 {
   Sampler sampler(7);
@@ -103,20 +94,20 @@ std::vector<Row> Rows(int nodes)
   { return std::fmod(7.0 * x.X, 1.0) < 0.2 && x.Y > 0.3 ? 1e20 : jump(x); };
   const Field holes = [&waves](const Point2& x)
   { return std::fmod(7.0 * x.X, 1.0) < 0.4 && x.Y > 0.3 ? NotANumber : waves(x); };
-  const auto grid = [nodes](const Field& field) { return WithGrid(MakeGrid(nodes, nodes, field)); };
+  const auto grid = [nodes](const Field& field) { return With(MakeGrid(nodes, nodes, field)); };
   const int few = std::max(9, nodes / 8);
   std::vector<Row> rows{ { "smooth", grid(smooth) }, { "slope g", grid(AroundTheMiddle(0.3)) },
     { "slope 1.1 g", grid(AroundTheMiddle(0.33)) }, { "slope 2 g", grid(AroundTheMiddle(0.6)) },
     { "jump", grid(jump) }, { "waves", grid(waves) }, { "noise x 20", grid(noise) },
     { "noise 90 %", grid(fine) }, { "dots", grid(dots) }, { "fill values", grid(fill) },
-    { "holes", grid(holes) }, { "triangles", WithTriangles(MakeTriangulation(nodes, smooth)) },
-    { "triangles, jump", WithTriangles(MakeTriangulation(nodes, jump)) },
-    { "triangles, 90 %", WithTriangles(Jittered(nodes, fine)) },
-    { "beside noise", WithTriangles(OnAPart(Jittered(few, noise))) },
-    { "gaps in noise", WithTriangles(WithGaps(Jittered(nodes, fine))) },
-    { "sheets", WithTriangles(Sheets(MakeTriangulation(nodes, smooth))) },
-    { "hub", WithTriangles(Hub(4 * nodes, noise)) }, { "composite", grid(jump) } };
-  rows.back().Options.Triangulation = Share(OnAPart(Jittered(few, noise)));
+    { "holes", grid(holes) }, { "triangles", With(MakeTriangulation(nodes, smooth)) },
+    { "triangles, jump", With(MakeTriangulation(nodes, jump)) },
+    { "triangles, 90 %", With(Jittered(nodes, fine)) },
+    { "beside noise", With(OnAPart(Jittered(few, noise))) },
+    { "gaps in noise", With(WithGaps(Jittered(nodes, fine))) },
+    { "sheets", With(Sheets(MakeTriangulation(nodes, smooth))) },
+    { "hub", With(Hub(4 * nodes, noise)) }, { "composite", grid(jump) } };
+  rows.back().Options.Sources.emplace_back(Share(OnAPart(Jittered(few, noise))));
   return rows;
 }
 
@@ -172,11 +163,15 @@ void Print(const Row& row, int nodes, int probes)
   const int steps = (nodes - 1) * std::max(1, 2080 / nodes);
   std::vector<std::pair<Point2, double>> places;
   AddLattice({ 0.5, 0.5 }, 1.0 / steps, steps, given.F, places);
-  for (std::size_t k = 0; row.Options.Triangulation && k < row.Options.Triangulation->Points.size();
-       ++k)
+  for (const GivenSource& source : row.Options.Sources)
   {
-    const Point2& point = row.Options.Triangulation->Points[k];
-    places.emplace_back(point, given.F(point));
+    if (const auto* triangles = std::get_if<std::shared_ptr<const TriangulatedSource>>(&source))
+    {
+      for (const Point2& point : (*triangles)->Points)
+      {
+        places.emplace_back(point, given.F(point));
+      }
+    }
   }
   Sampler sampler(34);
   std::vector<double> above(1, 0.0);

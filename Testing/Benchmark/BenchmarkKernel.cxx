@@ -45,7 +45,7 @@ SpacingOptions PaperOptions(double vertices)
     grid->Values.push_back(PaperSpacing(grid->YNodes.back()));
   }
   SpacingOptions options;
-  options.Grid = grid;
+  options.Sources.emplace_back(grid);
   options.Scale = std::sqrt(3000.0 / vertices);
   options.Gradation = 0.0;
   return options;

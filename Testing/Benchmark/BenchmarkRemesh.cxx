@@ -150,7 +150,7 @@ Outcome MeshedAnew(const Polylines& domain, const Outcome& outcome)
   source->Values = outcome.Mesh().Spacing;
   source->Triangles = outcome.Mesh().Corners;
   BitingMeshOptions options;
-  options.Spacing.Triangulation = source;
+  options.Spacing.Sources.emplace_back(source);
   Outcome anew = outcome;
   ProblemList problems;
   const double begin = Seconds();

@@ -128,7 +128,7 @@ Case OfGrid(int size, double power, const Field& field)
   Case made;
   auto grid = std::make_shared<GridSource>(Grid(size, power, field));
   made.Items = grid->Values.size();
-  made.Options.Grid = grid;
+  made.Options.Sources.emplace_back(grid);
   return made;
 }
 
@@ -154,7 +154,7 @@ Case OfTriangles(int size, double power, const Field& field)
   }
   Case made;
   made.Items = source->Triangles.size() / 3;
-  made.Options.Triangulation = source;
+  made.Options.Sources.emplace_back(source);
   return made;
 }
 
@@ -185,7 +185,7 @@ Case OfLine(std::vector<Point2> points, const std::function<double(const Point2&
   }
   Case made;
   made.Items = source->Segments.size() / 2;
-  made.Options.Segments = source;
+  made.Options.Sources.emplace_back(source);
   return made;
 }
 
@@ -396,7 +396,7 @@ Law MeasureLaw(const Case& source, int pairs)
     const double excess = (std::abs(here - there) - Gradation * reach) / std::min(here, there);
     law.LargestExcess = std::max(law.LargestExcess, excess);
     law.ShareBroken += excess > 0.02 ? 1.0 / pairs : 0.0;
-    if (!source.Options.Segments)
+    if (!std::holds_alternative<std::shared_ptr<const SegmentSource>>(source.Options.Sources[0]))
     {
       law.LargestAbove = std::max(law.LargestAbove, here / given(x) - 1.0);
     }

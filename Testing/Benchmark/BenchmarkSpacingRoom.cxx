@@ -48,7 +48,7 @@ SpacingOptions GridOfNodes()
     }
   }
   SpacingOptions options;
-  options.Grid = grid;
+  options.Sources.emplace_back(grid);
   return options;
 }
 
@@ -63,7 +63,7 @@ SpacingOptions TrianglesOfSource()
     source->Values.push_back(0.01 * (1.0 + 0.5 * std::sin(9.0 * p.X) * std::cos(7.0 * p.Y)));
   }
   SpacingOptions options;
-  options.Triangulation = source;
+  options.Sources.emplace_back(source);
   return options;
 }
 
@@ -79,7 +79,7 @@ SpacingOptions SegmentsOfCoast()
     source->Segments.push_back(coast.Connectivity[i + 1]);
   }
   SpacingOptions options;
-  options.Segments = source;
+  options.Sources.emplace_back(source);
   return options;
 }
 
@@ -171,7 +171,7 @@ void SpacingOfImage(benchmark::State& state)
     grid->Values.push_back(FieldValue(static_cast<int>(state.range(0)), x, chance));
   }
   SpacingOptions options;
-  options.Grid = grid;
+  options.Sources.emplace_back(grid);
   for (auto step : state)
   {
     static_cast<void>(step);
@@ -229,7 +229,7 @@ void SpacingOfLongTriangles(benchmark::State& state)
     }
   }
   SpacingOptions options;
-  options.Triangulation = source;
+  options.Sources.emplace_back(source);
   for (auto step : state)
   {
     static_cast<void>(step);
@@ -255,7 +255,7 @@ void SpacingOfBoundary(benchmark::State& state)
     source->Values.push_back(0.01 + 0.005 * std::sin(20.0 * x.X) * std::cos(17.0 * x.Y));
   }
   SpacingOptions options;
-  options.Segments = source;
+  options.Sources.emplace_back(source);
   for (auto step : state)
   {
     static_cast<void>(step);

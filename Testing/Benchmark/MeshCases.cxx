@@ -196,7 +196,7 @@ MeshCase OfField(const std::string& name, const Field& field)
   MeshCase made;
   made.Name = name;
   made.Drawing = Square(1.0);
-  made.Options.Spacing.Grid = Image(129, field);
+  made.Options.Spacing.Sources.emplace_back(Image(129, field));
   return made;
 }
 
@@ -223,7 +223,7 @@ MeshCase SectionSix(double vertices)
   MeshCase made;
   made.Name = "T1, " + std::to_string(static_cast<int>(vertices));
   made.Drawing = Square(PaperSide);
-  made.Options.Spacing.Grid = PaperImage(vertices);
+  made.Options.Spacing.Sources.emplace_back(PaperImage(vertices));
   made.Options.Spacing.Gradation = 0.0;
   return made;
 }
@@ -233,7 +233,8 @@ MeshCase SquareWithHoles()
   MeshCase made;
   made.Name = "T3, image 513";
   made.Drawing = HoledSquare();
-  made.Options.Spacing.Grid = Image(513, [](const Point2& x) { return AroundHoles(x, 0.3); });
+  made.Options.Spacing.Sources.emplace_back(
+    Image(513, [](const Point2& x) { return AroundHoles(x, 0.3); }));
   made.Options.Spacing.Gradation = 0.31;
   return made;
 }
@@ -247,7 +248,7 @@ MeshCase OfFile(const std::string& name, double gradation, double share)
   made.Options.Spacing.Gradation = gradation;
   if (!file.Values.empty())
   {
-    made.Options.Spacing.Segments = AlongSegments(file.Lines, file.Values);
+    made.Options.Spacing.Sources.emplace_back(AlongSegments(file.Lines, file.Values));
     made.Options.Spacing.Scale = share;
   }
   else
@@ -285,7 +286,7 @@ std::vector<MeshCase> QualityCases()
     UniformSquare(20000.0), SquareWithHoles() };
   MeshCase level = SquareWithHoles();
   level.Name = "T3, uniform";
-  level.Options.Spacing.Grid = nullptr;
+  level.Options.Spacing.Sources.clear();
   level.Options.Spacing.Uniform = 0.01;
   cases.push_back(level);
   cases.push_back(OfField("waves", Waves));
@@ -333,8 +334,8 @@ MeshCase OfHoles(double slope)
 {
   MeshCase made = SquareWithHoles();
   made.Name = "holes " + std::to_string(slope).substr(0, 3);
-  made.Options.Spacing.Grid =
-    Image(513, [slope](const Point2& x) { return AroundHoles(x, slope); });
+  made.Options.Spacing.Sources = { Image(
+    513, [slope](const Point2& x) { return AroundHoles(x, slope); }) };
   made.Options.Spacing.Gradation = 1.03 * slope;
   return made;
 }
@@ -350,7 +351,7 @@ MeshCase BoundaryOnly()
   {
     values.push_back(0.055 + 0.045 * std::cos(5.0 * Turn * k / 60));
   }
-  made.Options.Spacing.Segments = AlongSegments(made.Drawing, values);
+  made.Options.Spacing.Sources.emplace_back(AlongSegments(made.Drawing, values));
   return made;
 }
 
@@ -364,8 +365,7 @@ MeshCase AdcircField()
   source->Points = file.Lines.Points;
   source->Values = file.Values;
   source->Triangles = file.Triangles;
-  made.Options.Spacing.Segments = nullptr;
-  made.Options.Spacing.Triangulation = source;
+  made.Options.Spacing.Sources = { source };
   made.Drawing.Points.resize(file.Triangles.empty() ? 0 : made.Drawing.Points.size());
   return made;
 }
@@ -395,8 +395,7 @@ std::vector<MeshCase> FieldCases()
     Named("jump by 50", OfField("", [](const Point2& x) { return x.X < 0.5 ? 0.002 : 0.1; })));
   cases.push_back(Named("image", OfField("", Waves)));
   cases.push_back(Named("triangulated", OfField("", Waves)));
-  cases.back().Options.Spacing.Grid = nullptr;
-  cases.back().Options.Spacing.Triangulation = TriangulatedWaves(129);
+  cases.back().Options.Spacing.Sources = { TriangulatedWaves(129) };
   cases.push_back(BoundaryOnly());
   cases.push_back(Named("ADCIRC boundary", OfFile("adcirc_shinnecock.vtk", 0.3)));
   cases.push_back(AdcircField());

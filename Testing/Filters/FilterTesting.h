@@ -10,6 +10,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
@@ -147,13 +148,13 @@ inline bool Has(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
-inline double Figure(vtkPolyData* mesh, const char* name)
+inline double Figure(vtkDataSet* mesh, const char* name)
 {
   vtkDataArray* array = mesh->GetFieldData()->GetArray(name);
   return array && array->GetNumberOfTuples() == 1 ? array->GetComponent(0, 0) : std::nan("");
 }
 
-inline Place PointOf(vtkPolyData* data, vtkIdType point)
+inline Place PointOf(vtkDataSet* data, vtkIdType point)
 {
   Place place;
   data->GetPoint(point, place.data());
@@ -214,7 +215,7 @@ inline bool AreSame(vtkPolyData* a, vtkPolyData* b)
     AreSameArrays(a->GetFieldData(), b->GetFieldData());
 }
 
-inline bool IsEmpty(vtkPolyData* data)
+inline bool IsEmpty(vtkDataSet* data)
 {
   return data && data->GetNumberOfPoints() == 0 && data->GetNumberOfCells() == 0;
 }

@@ -3,17 +3,16 @@
 
 #include "FilterTesting.h"
 #include "SeenProblems.h"
+#include "SurfaceTesting.h"
 
 #include "vtkBitingSurfaceMesher.h"
 
 #include "vtkAppendPolyData.h"
-#include "vtkCubeSource.h"
 #include "vtkDiskSource.h"
 #include "vtkFeatureEdges.h"
 #include "vtkImageData.h"
 #include "vtkMassProperties.h"
 #include "vtkPlaneSource.h"
-#include "vtkSphereSource.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -26,26 +25,6 @@ using namespace testing_filters;
 
 namespace
 {
-
-vtkSmartPointer<vtkPolyData> Sphere(double radius = 0.5, int resolution = 60)
-{
-  vtkNew<vtkSphereSource> source;
-  source->SetRadius(radius);
-  source->SetThetaResolution(resolution);
-  source->SetPhiResolution(resolution);
-  source->Update();
-  return source->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> Cube(double size = 1.0)
-{
-  vtkNew<vtkCubeSource> source;
-  source->SetXLength(size);
-  source->SetYLength(size);
-  source->SetZLength(size);
-  source->Update();
-  return source->GetOutput();
-}
 
 vtkSmartPointer<vtkBitingSurfaceMesher> Meshed(vtkPolyData* surface, double spacing)
 {

@@ -111,7 +111,7 @@ TEST(FuzzRegression, SpacingBelowRoundingIsThatOfRounding)
   source->Points = { { 0.0, 0.0 } };
   source->Values = { 1e-200 };
   source->Segments = { 0, 0 };
-  fuzzCase.Options.Spacing.Segments = source;
+  fuzzCase.Options.Spacing.Sources.emplace_back(source);
   fuzzCase.Options.Spacing.Gradation = 8.0;
   ExpectKept(fuzzCase, "tiny spacing");
   EXPECT_EQ(RunFuzzCase(fuzzCase).Kind, Verdict::RepairedMesh);
@@ -133,7 +133,7 @@ TEST(FuzzRegression, TinySpacingIsRefusedSoonWhereAChannelIsNarrow)
   grid->XNodes = { -1.0, 3.0 };
   grid->YNodes = { -1.0, 3.0 };
   grid->Values = { 1e-11, 1e-11, 1e-11, 2e-11 };
-  fuzzCase.Options.Spacing.Grid = grid;
+  fuzzCase.Options.Spacing.Sources.emplace_back(grid);
   fuzzCase.Options.Spacing.Uniform = 0.0;
   ExpectKept(fuzzCase, "channel under a grid");
   EXPECT_EQ(RunFuzzCase(fuzzCase).Kind, Verdict::Refusal);
@@ -147,7 +147,7 @@ TEST(FuzzRegression, JumpsOutsideOfATriangulationAreFoundSoonAtAHugeGradation)
   source->Values = { 0.1, 0.1, 0.1, 0.3, 0.3, 0.3 };
   source->Triangles = { 0, 1, 2, 3, 4, 5 };
   FuzzCase fuzzCase = BoundaryOf({ UnitSquare }, 0.0);
-  fuzzCase.Options.Spacing.Triangulation = source;
+  fuzzCase.Options.Spacing.Sources.emplace_back(source);
   fuzzCase.Options.Spacing.Gradation = 1e100;
   ExpectKept(fuzzCase, "jump");
   EXPECT_EQ(RunFuzzCase(fuzzCase).Kind, Verdict::Mesh);
@@ -213,7 +213,7 @@ TEST(FuzzRegression, VerticesThatDivideAConstraintAreOnTheBoundary)
   grid->Values = { 0.889, 0.702, 3.05, 2.767, 14.654, 20.717, 0.398, 0.71, 10.942, 16.803, 9.976,
     0.695, 2.278, 0.842, 5.713, 5.926 };
   FuzzCase fuzzCase = BoundaryOf(chains, 2.23);
-  fuzzCase.Options.Spacing.Grid = grid;
+  fuzzCase.Options.Spacing.Sources.emplace_back(grid);
   fuzzCase.Options.Spacing.Gradation = 1.0;
   fuzzCase.Options.LimitByFeatureSize = false;
   fuzzCase.Options.Relaxation = false;
@@ -244,7 +244,7 @@ TEST(FuzzRegression, BoundaryValuesOnABundleOfSegmentsArePreparedSoon)
     source->Values.push_back(3.0 + k * 7 % 5);
     source->Segments.insert(source->Segments.end(), { k - 1, k });
   }
-  fuzzCase.Options.Spacing.Segments = source;
+  fuzzCase.Options.Spacing.Sources.emplace_back(source);
   fuzzCase.Options.Spacing.Gradation = 0.0;
   fuzzCase.Options.MaximumNumberOfVertices = 2500;
   ExpectKept(fuzzCase, "bundle");

@@ -88,9 +88,13 @@ std::size_t ExpectedIds(const Problem& problem)
 
 std::size_t MostValues(const SpacingOptions& spacing)
 {
-  std::size_t most = spacing.Grid ? spacing.Grid->Values.size() : 0;
-  most = std::max(most, spacing.Triangulation ? spacing.Triangulation->Values.size() : 0);
-  return std::max(most, spacing.Segments ? spacing.Segments->Values.size() : 0);
+  std::size_t most = 0;
+  for (const GivenSource& source : spacing.Sources)
+  {
+    most =
+      std::max(most, std::visit([](const auto& given) { return given->Values.size(); }, source));
+  }
+  return most;
 }
 
 bool HasValidIds(const Problem& problem, const FuzzCase& fuzzCase)

@@ -79,9 +79,18 @@ SpacingOptions SpacingMaker::Make()
   const int sources = this->Numbers.Below(16);
   options.Uniform = sources < 14 ? this->Length() : 0.0;
   options.Gradation = this->Gradation();
-  options.Grid = sources == 12 || sources == 15 ? this->Grid() : nullptr;
-  options.Triangulation = sources == 13 || sources == 15 ? this->Triangulation() : nullptr;
-  options.Segments = sources == 11 || sources == 15 ? this->Segments() : nullptr;
+  if (sources == 12 || sources == 15)
+  {
+    options.Sources.emplace_back(this->Grid());
+  }
+  if (sources == 13 || sources == 15)
+  {
+    options.Sources.emplace_back(this->Triangulation());
+  }
+  if (sources == 11 || sources == 15)
+  {
+    options.Sources.emplace_back(this->Segments());
+  }
   if (this->Numbers.OneIn(8))
   {
     options.Scale = this->Numbers.Power(-2, 2);
@@ -371,10 +380,9 @@ std::string Describe(const FuzzCase& fuzzCase)
   text << "points=" << fuzzCase.Input.Points.size() << " chains=" << fuzzCase.Input.Kinds.size()
        << " uniform=" << spacing.Uniform << " scale=" << spacing.Scale
        << " minimum=" << spacing.Minimum << " maximum=" << spacing.Maximum
-       << " gradation=" << spacing.Gradation << " grid=" << (spacing.Grid ? 1 : 0)
-       << " triangulation=" << (spacing.Triangulation ? 1 : 0)
-       << " segments=" << (spacing.Segments ? 1 : 0) << " repair=" << options.Domain.Repair
-       << " edges=" << options.Domain.KeepCellEdges << " constant=" << options.BitingConstant
+       << " gradation=" << spacing.Gradation << " sources=" << spacing.Sources.size()
+       << " repair=" << options.Domain.Repair << " edges=" << options.Domain.KeepCellEdges
+       << " constant=" << options.BitingConstant
        << " circles=" << (options.BiteShape == BiteShape::Circle)
        << " bisectors=" << (options.Placement == Placement::Bisectors)
        << " order=" << static_cast<int>(options.Order) << " limit=" << options.LimitByFeatureSize

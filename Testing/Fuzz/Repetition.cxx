@@ -36,10 +36,16 @@ void Magnify(std::vector<Point2>& points)
   }
 }
 
-template <typename Source>
-std::shared_ptr<Source> Copy(const std::shared_ptr<const Source>& source)
+void MagnifyPlaces(GridSource& grid)
 {
-  return source ? std::make_shared<Source>(*source) : nullptr;
+  Magnify(grid.XNodes);
+  Magnify(grid.YNodes);
+}
+
+template <typename Source>
+void MagnifyPlaces(Source& source)
+{
+  Magnify(source.Points);
 }
 
 FuzzCase Magnify(FuzzCase fuzzCase)
@@ -50,24 +56,16 @@ FuzzCase Magnify(FuzzCase fuzzCase)
   spacing.Uniform = Magnified(spacing.Uniform);
   spacing.Minimum = Magnified(spacing.Minimum);
   spacing.Maximum = Magnified(spacing.Maximum);
-  if (const auto grid = Copy(spacing.Grid))
+  const auto magnified = [](const auto& source) -> GivenSource
   {
-    Magnify(grid->XNodes);
-    Magnify(grid->YNodes);
-    Magnify(grid->Values);
-    spacing.Grid = grid;
-  }
-  if (const auto triangulation = Copy(spacing.Triangulation))
+    auto copy = std::make_shared<std::decay_t<decltype(*source)>>(*source);
+    MagnifyPlaces(*copy);
+    Magnify(copy->Values);
+    return copy;
+  };
+  for (GivenSource& source : spacing.Sources)
   {
-    Magnify(triangulation->Points);
-    Magnify(triangulation->Values);
-    spacing.Triangulation = triangulation;
-  }
-  if (const auto segments = Copy(spacing.Segments))
-  {
-    Magnify(segments->Points);
-    Magnify(segments->Values);
-    spacing.Segments = segments;
+    source = std::visit(magnified, source);
   }
   return fuzzCase;
 }
@@ -90,16 +88,32 @@ bool IsOrdinary(const std::vector<Point2>& points)
     [](const Point2& p) { return IsOrdinary(p.X) && IsOrdinary(p.Y); });
 }
 
+bool HasOrdinaryPlaces(const GridSource&)
+{
+  return true;
+}
+
+template <typename Source>
+bool HasOrdinaryPlaces(const Source& source)
+{
+  return IsOrdinary(source.Points);
+}
+
+bool IsOrdinary(const GivenSource& source)
+{
+  return std::visit([](const auto& given)
+    { return IsOrdinary(given->Values) && HasOrdinaryPlaces(*given); },
+    source);
+}
+
 bool IsOrdinary(const FuzzCase& fuzzCase)
 {
   const SpacingOptions& spacing = fuzzCase.Options.Spacing;
   return IsOrdinary(fuzzCase.Input.Points) && IsOrdinary(spacing.Uniform) &&
     IsOrdinary(spacing.Minimum) && IsOrdinary(spacing.Maximum) && IsOrdinary(spacing.Scale) &&
-    IsOrdinary(spacing.Gradation) && (!spacing.Grid || IsOrdinary(spacing.Grid->Values)) &&
-    (!spacing.Triangulation ||
-      (IsOrdinary(spacing.Triangulation->Values) && IsOrdinary(spacing.Triangulation->Points))) &&
-    (!spacing.Segments ||
-      (IsOrdinary(spacing.Segments->Values) && IsOrdinary(spacing.Segments->Points)));
+    IsOrdinary(spacing.Gradation) &&
+    std::all_of(spacing.Sources.begin(), spacing.Sources.end(),
+      [](const GivenSource& source) { return IsOrdinary(source); });
 }
 
 template <typename Value>

@@ -348,7 +348,7 @@ SimplificationOptions WantedOf(const FuzzCase& fuzzCase)
 bool IsUniform(const SpacingOptions& spacing)
 {
   return spacing.Uniform > 0.0 && spacing.Scale == 1.0 && spacing.Minimum == 0.0 &&
-    spacing.Maximum == 0.0 && !spacing.Grid && !spacing.Triangulation && !spacing.Segments;
+    spacing.Maximum == 0.0 && spacing.Sources.empty();
 }
 
 SpacingFunction SpacingOf(const FuzzCase& fuzzCase, const Domain& domain)

@@ -20,9 +20,11 @@ SMALLEST_ANGLES = {'contour_to_mesh': 30, 'coast_with_spacing_by_depth': 15,
                    'plate_with_regions': 30, 'export_with_tags': 30, 'size_by_tag': 30,
                    'judge_a_mesh': 0, 'mesh_for_a_solution': 35,
                    'nested_refinement_regions': 30, 'a_town_of_houses': 25, 'periodic_cell': 35,
-                   'fine_mesh_in_a_coarse_one': 25}
-FILES = ['airfoil.su2', 'coast.14', 'courant_number.vtp', 'left_of_the_weld.vtk', 'plate.msh',
-         'plate.su2']
+                   'fine_mesh_in_a_coarse_one': 25, 'stl_to_tetrahedra': 20,
+                   'body_with_tags_for_a_solver': 20, 'shell_of_two_materials': 30,
+                   'ball_with_a_spacing_field': 30}
+FILES = ['airfoil.su2', 'bolts.vtk', 'bracket.msh', 'bracket.su2', 'bracket.vtu', 'coast.14',
+         'courant_number.vtp', 'left_of_the_weld.vtk', 'plate.msh', 'plate.su2']
 
 
 class TestExamplesProxy(unittest.TestCase):
@@ -86,7 +88,8 @@ class TestExamplesProxy(unittest.TestCase):
         vtkOutputWindow.SetInstance(None)
         self.assertEqual(window.GetOutput(), '')
         self.assertGreater(mesh.GetDataInformation().GetNumberOfCells(), 300)
-        angles = servermanager.Fetch(mesh, idx=0).GetCellData().GetArray('MinimumAngle')
+        cells = servermanager.Fetch(mesh, idx=0).GetCellData()
+        angles = cells.GetArray('MinimumAngle') or cells.GetArray('MinimumDihedralAngle')
         self.assertGreaterEqual(angles.GetRange()[0], SMALLEST_ANGLES[task.__name__])
 
 

@@ -298,7 +298,8 @@ class TestMeshReaderProxy(unittest.TestCase):
         for name, text, reason in (
                 ('few.su2', SU2.replace('5 0 2 3', '5 0 2'), 'Line 5 is not'),
                 ('far.su2', SU2.replace('5 0 2 3', '5 0 2 9'), 'vertex 9'),
-                ('solid.su2', SU2.replace('NDIME= 2', 'NDIME= 3'), 'Line 2 is not'),
+                ('solid.su2', SU2.replace('NDIME= 2', 'NDIME= 3'), 'Line 14 is not'),
+                ('hyper.su2', SU2.replace('NDIME= 2', 'NDIME= 4'), 'Line 2 is not'),
                 ('key.su2', SU2.replace('MARKER_TAG= wall', 'MARKER_TAGS= wall'), 'Line 17 is not'),
                 ('short.14', ADCIRC[:ADCIRC.index('3 1 1 7')], 'The file ends'),
                 ('binary.msh', GMSH_4.replace('4.1 0 8', '4.1 1 8'), 'Line 2 is not'),

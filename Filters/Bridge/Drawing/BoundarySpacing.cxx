@@ -115,7 +115,7 @@ std::string AddPointSpacing(const Drawing& drawing, const PlanarInput& input, vt
     AddSegments(input.Chains, chain, newIds, source->Segments, pulse);
   }
   SortSource(*source, pulse);
-  options.Segments = source;
+  options.Sources.emplace_back(source);
   return {};
 }
 
@@ -253,7 +253,10 @@ std::string AddCellSpacing(const Drawing& drawing, const PlanarInput& input, vtk
   }
   Stretch(input.Frame, *source);
   SortSource(*source, pulse);
-  options.Segments = source->Segments.empty() ? nullptr : source;
+  if (!source->IsEmpty())
+  {
+    options.Sources.emplace_back(source);
+  }
   return count == 0 ? ""
                     : subject + " has values of cells that are negative or infinite (" +
       std::to_string(count) + "): " + ListText(bad, count) + ". Spacing is an edge length.";

@@ -183,11 +183,12 @@ std::string ReadLines(vtkDataSet* given, const std::string& frozen, PlanarMesh& 
   return {};
 }
 
-constexpr int BoundaryEdges = 1; // the port of all that have them
+constexpr int BoundaryEdges = 1; // the port of all that have them, or the boundary's triangles
 
 bool HasEdges(vtkAlgorithm* producer)
 {
   return producer->IsA("vtkBitingMesher") || producer->IsA("vtkBitingRemesher") ||
+    producer->IsA("vtkBitingSurfaceMesher") || producer->IsA("vtkBitingTetrahedralizer") ||
     producer->IsA("vtkBitingMeshReader");
 }
 

@@ -49,8 +49,8 @@ struct RemeshArrays
 std::string RemeshInputFromDataSet(vtkDataSet* mesh, vtkDataSet* lines, const RemeshArrays& arrays,
   PlanarMesh& result, Monitor& monitor);
 
-/// Output 1, the boundary edges, of the nearest mesher, remesher or reader of ours upstream of the
-/// first input of `consumer`; null where there is none.
+/// Output 1, edges or triangles of the boundary, of the nearest mesher, remesher or reader of ours
+/// upstream of the first input of `consumer`; null where there is none.
 vtkPolyData* FindProducedEdges(vtkAlgorithm* consumer);
 
 /// Whether each point of `edges` lies at the point of `mesh` that its `MeshPointId` names.

@@ -12,7 +12,6 @@
 #include "vtkCellData.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -174,23 +173,19 @@ std::string BitingSurfaceToPolyData(const BitingSurface& mesh, const CheckedSurf
   return SummaryOf(mesh, quality);
 }
 
-void SpheresToPolyData(const BitingSurface& mesh, vtkPolyData* output)
+void SpheresToPolyData(
+  const std::vector<Point3>& centers, const std::vector<double>& radii, vtkPolyData* output)
 {
+  Pulse pulse(NoMonitor());
   output->Initialize();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Point3& center : mesh.BiteCenters)
-  {
-    points->InsertNextPoint(center.Data());
-  }
-  output->SetPoints(points);
-  std::vector<Id> order(mesh.BiteCenters.size());
+  output->SetPoints(MakePoints(centers, VTK_DOUBLE, pulse));
+  std::vector<Id> order(centers.size());
   std::iota(order.begin(), order.end(), 0);
   vtkNew<vtkCellArray> cells;
   SetCells(cells, 1, order);
   output->SetVerts(cells);
   AddArray<vtkIntArray>(output->GetPointData(), "BiteOrder", order);
-  AddArray<vtkDoubleArray>(output->GetPointData(), "Radius", mesh.BiteRadii);
+  AddArray<vtkDoubleArray>(output->GetPointData(), "Radius", radii);
   output->GetPointData()->SetActiveScalars("Radius");
 }
 

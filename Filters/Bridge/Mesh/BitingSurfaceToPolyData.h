@@ -25,7 +25,8 @@ std::string BitingSurfaceToPolyData(const BitingSurface& mesh, const CheckedSurf
   const Drawing& drawing, vtkPolyData* output, Pulse& pulse);
 
 /// Fills `output` with one vertex cell a bite.
-void SpheresToPolyData(const BitingSurface& mesh, vtkPolyData* output);
+void SpheresToPolyData(
+  const std::vector<Point3>& centers, const std::vector<double>& radii, vtkPolyData* output);
 
 } // namespace biting
 

@@ -117,10 +117,8 @@ std::string MeasuredTetrahedra::Read(vtkDataSet* data, vtkDataArray* spacing, Mo
   return {};
 }
 
-void MeasuredTetrahedra::Write(
-  vtkDataSet* input, vtkDataSet* output, int bins, vtkTable* histograms) const
+void MeasuredTetrahedra::Write(vtkDataSet* output) const
 {
-  output->ShallowCopy(input);
   const TetQuality& quality = this->Quality;
   const auto addOfCells = [this, output](const char* name, const std::vector<double>& values)
   {
@@ -134,6 +132,7 @@ void MeasuredTetrahedra::Write(
   addOfCells("MinimumDihedralAngle", quality.MinimumDihedralAngle);
   addOfCells("MaximumDihedralAngle", quality.MaximumDihedralAngle);
   addOfCells("RadiusEdgeRatio", quality.RadiusEdgeRatio);
+  addOfCells("AspectRatio", quality.AspectRatio);
   output->GetCellData()->SetActiveScalars("MinimumDihedralAngle");
   std::vector<double> distances = quality.NearestNeighborDistance;
   for (double& distance : distances)
@@ -148,21 +147,27 @@ void MeasuredTetrahedra::Write(
   AddFigure(figures, "SmallestDihedralAngle", quality.SmallestDihedralAngle);
   AddFigure(figures, "LargestDihedralAngle", quality.LargestDihedralAngle);
   AddFigure(figures, "LargestRadiusEdgeRatio", quality.LargestRadiusEdgeRatio);
-  constexpr double HighestDihedral = 180.0;
-  AddPair(quality.DihedralAngles, HighestDihedral, bins, "DihedralAngle", histograms);
-  if (this->Spacing.empty())
+  if (!this->Spacing.empty())
   {
-    return;
+    AddArray<vtkDoubleArray>(output->GetPointData(), "Spacing", this->Spacing);
+    AddArray<vtkDoubleArray>(output->GetPointData(), "Conformity", quality.Conformity);
+    AddFigure(figures, "SmallestConformity", quality.SmallestConformity);
+    AddFigure(figures, "MeanConformity", quality.MeanConformity);
+    AddFigure(figures, "MeanRelativeLength", quality.MeanRelativeLength);
+    AddFigure(figures, "ShareOfEdgesInBand", quality.ShareOfEdgesInBand);
   }
-  AddArray<vtkDoubleArray>(output->GetPointData(), "Spacing", this->Spacing);
-  AddArray<vtkDoubleArray>(output->GetPointData(), "Conformity", quality.Conformity);
-  AddFigure(figures, "SmallestConformity", quality.SmallestConformity);
-  AddFigure(figures, "MeanConformity", quality.MeanConformity);
-  AddFigure(figures, "MeanRelativeLength", quality.MeanRelativeLength);
-  AddFigure(figures, "ShareOfEdgesInBand", quality.ShareOfEdgesInBand);
-  constexpr double HighestLength = 3.0;
-  AddPair(quality.Conformity, 1.0, bins, "Conformity", histograms);
-  AddPair(quality.RelativeLengths, HighestLength, bins, "RelativeLength", histograms);
+}
+
+void MeasuredTetrahedra::WriteHistograms(int bins, vtkTable* histograms) const
+{
+  constexpr double HighestDihedral = 180.0;
+  AddPair(this->Quality.DihedralAngles, HighestDihedral, bins, "DihedralAngle", histograms);
+  if (!this->Spacing.empty())
+  {
+    constexpr double HighestLength = 3.0;
+    AddPair(this->Quality.Conformity, 1.0, bins, "Conformity", histograms);
+    AddPair(this->Quality.RelativeLengths, HighestLength, bins, "RelativeLength", histograms);
+  }
 }
 
 std::string MeasuredTetrahedra::Summary() const

@@ -39,8 +39,11 @@ struct MeasuredTetrahedra
   /// beyond 32 bits or of no point, coordinates or a spacing at a corner that cannot be used.
   std::string Read(vtkDataSet* data, vtkDataArray* spacing, Monitor& monitor);
 
-  /// The grid with the measures as arrays and figures, and how they are spread.
-  void Write(vtkDataSet* input, vtkDataSet* output, int bins, vtkTable* histograms) const;
+  /// Adds the measures to the grid that was read, as arrays and figures.
+  void Write(vtkDataSet* output) const;
+
+  /// How they are spread.
+  void WriteHistograms(int bins, vtkTable* histograms) const;
 
   /// In a few lines.
   std::string Summary() const;

@@ -19,6 +19,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 #include "vtkVariant.h"
 
 #include <algorithm> // for find, max, replace_if
@@ -71,8 +72,9 @@ bool AreOfOnePlaceEach(vtkDataSet* mesh, vtkDataArray* ids)
   return areSo;
 }
 
-// What the mesher itself adds to its boundary edges.
-constexpr const char* OwnArrays[] = { "OriginalCellId", "Kind" };
+// What the meshers themselves add to their boundary.
+constexpr const char* OwnArrays[] = { "OriginalCellId", "Kind", "MeshCellId", "RegionId",
+  "Deviation", "MinimumAngle", "RadiusEdgeRatio", "AspectRatio" };
 
 std::string ReadPoints(vtkDataSet* mesh, const WrittenParts& parts, MeshFile& file)
 {
@@ -89,26 +91,38 @@ std::string ReadPoints(vtkDataSet* mesh, const WrittenParts& parts, MeshFile& fi
   return {};
 }
 
-// Triangles without a text are a group of their own, the last one.
-void AddTriangles(vtkDataSet* mesh, const WrittenParts& parts, vtkAbstractArray* regions,
-  bool isChosen, MeshFile& file)
+// The corners of a cell, of points with numbers.
+template <std::size_t Size, typename Number>
+std::array<MeshFile::Vertex, Size> CornersOf(vtkIdList* points, Number numberOf)
+{
+  std::array<MeshFile::Vertex, Size> corners{};
+  const vtkIdType* const first = points->GetPointer(0);
+  std::transform(first, first + Size, corners.begin(), numberOf);
+  return corners;
+}
+
+// Cells without a text are a group of their own, the last one.
+void AddCells(vtkDataSet* mesh, const WrittenParts& parts, vtkAbstractArray* regions, bool isChosen,
+  MeshFile& file)
 {
   const ValueGroups groups(regions);
   file.Regions = groups.Named(isChosen ? 0 : 1, isChosen ? "" : "Region ", EndsOfNames);
   const std::size_t unnamed = file.Regions.size();
   vtkNew<vtkIdList> corners;
+  const auto numberOf = [&parts](vtkIdType point) { return parts.NumberOf(point); };
   for (const vtkIdType cell : parts.Cells())
   {
-    if (mesh->GetCellType(cell) == VTK_TRIANGLE)
+    const int type = mesh->GetCellType(cell);
+    if (type == VTK_TRIANGLE || type == VTK_TETRA)
     {
       mesh->GetCellPoints(cell, corners);
-      file.Triangles.push_back({ parts.NumberOf(corners->GetId(0)),
-        parts.NumberOf(corners->GetId(1)), parts.NumberOf(corners->GetId(2)) });
-      file.RegionOfTriangle.push_back(groups.Has(cell) ? groups.IndexOf(cell) : unnamed);
+      type == VTK_TRIANGLE ? file.Triangles.push_back(CornersOf<3>(corners, numberOf))
+                           : file.Tetrahedra.push_back(CornersOf<4>(corners, numberOf));
+      file.RegionOfCell.push_back(groups.Has(cell) ? groups.IndexOf(cell) : unnamed);
     }
   }
-  if (std::find(file.RegionOfTriangle.begin(), file.RegionOfTriangle.end(), unnamed) !=
-    file.RegionOfTriangle.end())
+  if (std::find(file.RegionOfCell.begin(), file.RegionOfCell.end(), unnamed) !=
+    file.RegionOfCell.end())
   {
     std::int64_t highest = 0;
     for (const MeshGroup& region : file.Regions)
@@ -117,6 +131,14 @@ void AddTriangles(vtkDataSet* mesh, const WrittenParts& parts, vtkAbstractArray*
     }
     file.Regions.push_back({ highest + 1, "" });
   }
+}
+
+// Of the first corner of a tetrahedron.
+std::string PlaceOf(const MeshFile& file, std::size_t tetrahedron)
+{
+  const auto corner = static_cast<std::size_t>(file.Tetrahedra[tetrahedron].front());
+  const std::array<double, 3>& place = file.Points[corner];
+  return "(" + ShortText(place[0]) + ", " + ShortText(place[1]) + ", " + ShortText(place[2]) + ").";
 }
 
 bool IsFlat(const MeshFile& file)
@@ -270,6 +292,7 @@ void WrittenParts::ListPointsOfCells(vtkDataSet* mesh)
 std::string RefusalOfCells(vtkDataSet* mesh)
 {
   using Shape = CellShape;
+  int written = VTK_EMPTY_CELL; // the type of the first one
   const GhostArrays ghosts(mesh);
   vtkNew<vtkIdList> points;
   std::string refusal;
@@ -281,19 +304,22 @@ std::string RefusalOfCells(vtkDataSet* mesh)
     const Shape shape = ShapeOf(type);
     refusal =
       MissingPointText("the mesh", cell, size, points->GetPointer(0), mesh->GetNumberOfPoints());
-    if (refusal.empty() && type != VTK_TRIANGLE && shape != Shape::Nothing &&
-      shape != Shape::Points && shape != Shape::Line &&
-      !ghosts.LeaveOut(cell, size, points->GetPointer(0)))
+    const bool isSeen = refusal.empty() && shape != Shape::Nothing && shape != Shape::Points &&
+      shape != Shape::Line && !ghosts.LeaveOut(cell, size, points->GetPointer(0));
+    const bool isWritten = type == VTK_TRIANGLE || type == VTK_TETRA;
+    written = isSeen && written == VTK_EMPTY_CELL ? type : written;
+    if (isSeen && (!isWritten || type != written))
     {
       refusal = "Cell " + std::to_string(cell) + " is a " +
         vtkCellTypes::GetClassNameFromTypeId(type) +
-        "; only triangles are written (apply Extract Surface and Triangulate).";
+        "; only triangles alone or tetrahedra alone are written (apply Extract Cells By Type, "
+        "Tetrahedralize, or Extract Surface and Triangulate).";
     }
   }
   return refusal;
 }
 
-std::string ReadTriangles(
+std::string ReadCells(
   vtkDataSet* mesh, const WrittenParts& parts, const std::string& regions, MeshFile& file)
 {
   const bool isChosen = !regions.empty() && regions != "None";
@@ -311,18 +337,28 @@ std::string ReadTriangles(
     values = zeros;
   }
   const std::string refusal = ReadPoints(mesh, parts, file);
-  AddTriangles(mesh, parts, values, isChosen, file);
-  return refusal.empty() && file.Triangles.empty() ? "There are no triangles to write." : refusal;
+  AddCells(mesh, parts, values, isChosen, file);
+  return refusal.empty() && file.NumberOfCells() == 0
+    ? "There are no triangles or tetrahedra to write."
+    : refusal;
 }
 
-std::string MakePlanar(MeshFile& file)
+std::string OrientCells(MeshFile& file)
 {
+  constexpr const char* overlap = "Cells overlap, or there are some twice.";
+  if (file.IsSolid())
+  {
+    const std::size_t flat = OrientTetrahedra(file);
+    return flat < file.Tetrahedra.size() ? "A tetrahedron has no volume: " + PlaceOf(file, flat)
+      : IsBoundaryClosed(file)           ? ""
+                                         : overlap;
+  }
   if (!IsFlat(file))
   {
     return "This format has two coordinates, and the mesh is not in a plane of constant z.";
   }
   OrientUpwards(file);
-  return IsBoundaryOfLoops(file) ? "" : "Triangles overlap, or there are some twice.";
+  return IsBoundaryClosed(file) ? "" : overlap;
 }
 
 std::string ReadDepths(
@@ -372,19 +408,32 @@ vtkAbstractArray* FindTags(vtkCellData* data, const std::string& chosen)
   return data->GetAbstractArray("Kind");
 }
 
-void ReadEdges(
-  vtkPolyData* edges, const WrittenParts& parts, const ValueGroups& groups, MeshFile& file)
+vtkSmartPointer<vtkAbstractArray> OneTag(vtkIdType numberOfSides)
 {
-  vtkDataArray* ids = edges->GetPointData()->GetArray("MeshPointId");
-  vtkNew<vtkIdList> ends;
-  for (vtkIdType cell = 0; cell < edges->GetNumberOfCells(); ++cell)
+  const auto tags = vtkSmartPointer<vtkStringArray>::New();
+  for (vtkIdType side = 0; side < numberOfSides; ++side)
   {
-    edges->GetCellPoints(cell, ends);
-    if (ends->GetNumberOfIds() == 2 && groups.Has(cell))
+    tags->InsertNextValue("boundary");
+  }
+  return tags;
+}
+
+void ReadSides(
+  vtkPolyData* sides, const WrittenParts& parts, const ValueGroups& groups, MeshFile& file)
+{
+  vtkDataArray* ids = sides->GetPointData()->GetArray("MeshPointId");
+  const auto numberOf = [ids, &parts](vtkIdType point)
+  { return parts.NumberOf(static_cast<vtkIdType>(ids->GetTuple1(point))); };
+  const vtkIdType size = file.IsSolid() ? 3 : 2;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < sides->GetNumberOfCells(); ++cell)
+  {
+    sides->GetCellPoints(cell, corners);
+    if (corners->GetNumberOfIds() == size && groups.Has(cell))
     {
-      file.Edges.push_back({ parts.NumberOf(static_cast<vtkIdType>(ids->GetTuple1(ends->GetId(0)))),
-        parts.NumberOf(static_cast<vtkIdType>(ids->GetTuple1(ends->GetId(1)))) });
-      file.TagOfEdge.push_back(groups.IndexOf(cell));
+      file.IsSolid() ? file.Triangles.push_back(CornersOf<3>(corners, numberOf))
+                     : file.Edges.push_back(CornersOf<2>(corners, numberOf));
+      file.TagOfSide.push_back(groups.IndexOf(cell));
     }
   }
 }

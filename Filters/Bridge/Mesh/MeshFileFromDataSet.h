@@ -7,7 +7,8 @@
 #include "../../IO/MeshFile.h"     // for MeshGroup
 #include "../../vtkBitingCompat.h" // for the ABI namespace
 
-#include "vtkType.h" // for ids
+#include "vtkSmartPointer.h" // for tags
+#include "vtkType.h"         // for ids
 
 #include <cstddef> // for size_t
 #include <cstdint> // for numbers of groups
@@ -96,25 +97,29 @@ constexpr const char* EndsOfNamesInSU2 = "\"\n\r \t%=,()";
 /// What is said of the first cell that has no place in a file; empty where there is none.
 std::string RefusalOfCells(vtkDataSet* mesh);
 
-/// Reads points, and triangles with their regions: the values of the cell array `regions`, by name;
+/// Reads points, and cells with their regions: the values of the cell array `regions`, by name;
 /// where it is empty, `RegionId` plus 1. Returns why that is no mesh, empty where it is.
-std::string ReadTriangles(
+std::string ReadCells(
   vtkDataSet* mesh, const WrittenParts& parts, const std::string& regions, MeshFile& file);
 
-/// Makes the mesh one of two coordinates; returns why it is none, empty where it is.
-std::string MakePlanar(MeshFile& file);
+/// Turns tetrahedra to be positive; triangles, in a plane of constant z, counterclockwise. Returns
+/// why that is no mesh, empty where it is.
+std::string OrientCells(MeshFile& file);
 
 /// Reads a point array; returns what is wrong with it, empty where nothing is.
 std::string ReadDepths(
   vtkDataSet* mesh, const WrittenParts& parts, const std::string& name, MeshFile& file);
 
-/// The tags of edges: the chosen array, else `Tag`, else the first that the mesher has not made,
-/// else `Kind`; null where the chosen one does not exist.
+/// The tags of sides: the chosen array, else `Tag`, else the first that the mesher has not made,
+/// else `Kind`; null where there is none, or the chosen one does not exist.
 vtkAbstractArray* FindTags(vtkCellData* data, const std::string& chosen);
 
-/// Reads the edges that have a tag.
-void ReadEdges(
-  vtkPolyData* edges, const WrittenParts& parts, const ValueGroups& groups, MeshFile& file);
+/// The tag "boundary" of all sides.
+vtkSmartPointer<vtkAbstractArray> OneTag(vtkIdType numberOfSides);
+
+/// Reads the sides that have a tag: triangles where cells are tetrahedra, else lines.
+void ReadSides(
+  vtkPolyData* sides, const WrittenParts& parts, const ValueGroups& groups, MeshFile& file);
 
 } // namespace biting
 

@@ -57,17 +57,22 @@ std::string Number(double value)
 
 } // namespace
 
-void SetTriangles(const std::vector<Point3>& places, const std::vector<Id>& corners, int type,
-  vtkPolyData* output, Pulse& pulse)
+vtkSmartPointer<vtkPoints> MakePoints(const std::vector<Point3>& places, int type, Pulse& pulse)
 {
-  output->Initialize();
-  vtkNew<vtkPoints> points;
+  auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataType(type);
   points->SetNumberOfPoints(static_cast<vtkIdType>(places.size()));
   pulse.ForEach(places.size(),
     [&points, &places](std::size_t point)
     { points->SetPoint(static_cast<vtkIdType>(point), places[point].Data()); });
-  output->SetPoints(points);
+  return points;
+}
+
+void SetTriangles(const std::vector<Point3>& places, const std::vector<Id>& corners, int type,
+  vtkPolyData* output, Pulse& pulse)
+{
+  output->Initialize();
+  output->SetPoints(MakePoints(places, type, pulse));
   vtkNew<vtkCellArray> cells;
   SetCells(cells, 3, corners, pulse);
   output->SetPolys(cells);

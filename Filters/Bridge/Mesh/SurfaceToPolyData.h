@@ -8,6 +8,9 @@
 #include "../../Kernel/Space/Surface/SurfaceCheck.h"
 #include "../Drawing/Drawing.h"
 
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h" // for points
+
 #include <string> // for the summary
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -16,6 +19,9 @@ VTK_ABI_NAMESPACE_END
 
 namespace biting
 {
+
+/// Points at `places`; `type` is VTK_FLOAT or VTK_DOUBLE.
+vtkSmartPointer<vtkPoints> MakePoints(const std::vector<Point3>& places, int type, Pulse& pulse);
 
 /// Makes `output` triangles, three of `corners` each, between `places`, without arrays; `type` is
 /// VTK_FLOAT or VTK_DOUBLE.

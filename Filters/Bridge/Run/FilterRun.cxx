@@ -66,6 +66,25 @@ void EmptyOutputs(vtkInformationVector* outputs)
   }
 }
 
+int RunOnFirstRank(vtkAlgorithm* filter, unsigned long& errorCode, const PipelineRequest& request,
+  const std::function<void(const WholeInputs&)>& run)
+{
+  errorCode = vtkErrorCode::NoError;
+  const Ranks ranks(request.Request, request.Outputs);
+  WholeInputs inputs;
+  inputs.reserve(static_cast<std::size_t>(filter->GetNumberOfInputPorts()));
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    inputs.emplace_back(ranks, request.Inputs[port]);
+  }
+  if (ranks.IsFirst())
+  {
+    run(inputs);
+  }
+  errorCode = ranks.ShareOutcome(errorCode, false, filter, request.Outputs);
+  return 1;
+}
+
 FilterRun::FilterRun(const RunningFilter& filter, std::vector<double> shares)
   : Progress(filter.Filter, std::move(shares), filter.NumberOfThreads)
   , Running(filter)
@@ -243,28 +262,20 @@ std::string CheckMesherParameters(const BitingMeshOptions& options)
       CheckAtLeastZero("End Tolerance", options.Domain.EndTolerance),
       CheckAtLeastZero("Boundary Tolerance", simplification.Tolerance),
       CheckAtLeastZero("Corner Angle", simplification.CornerAngle),
-      CheckAtLeastZero("Minimum Loop Size", simplification.MinimumLoopSize) })
+      CheckAtLeastZero("Minimum Loop Size", simplification.MinimumLoopSize),
+      CheckBitingConstant(options.BitingConstant) })
   {
     if (!refusal.empty())
     {
       return refusal;
     }
   }
-  const double constant = options.BitingConstant;
-  if (constant != 0.0 && !(constant >= 0.1 && constant <= 1.0))
-  {
-    return "Biting Constant is " + ValueText(constant) +
-      "; it must be 0 (automatic) or within [0.1, 1].";
-  }
   if (!(options.Phi > 0.0 && options.Phi <= 1.0))
   {
     return "Phi is " + ValueText(options.Phi) + "; it must be above 0 and at most 1.";
   }
-  if (options.MaximumNumberOfBites < -1)
-  {
-    return "Maximum Number Of Bites is below -1; -1 means until the front is empty.";
-  }
-  return CheckMostVertices(options.MaximumNumberOfVertices);
+  const std::string refusal = CheckMostBites(options.MaximumNumberOfBites);
+  return refusal.empty() ? CheckMostVertices(options.MaximumNumberOfVertices) : refusal;
 }
 
 } // namespace biting

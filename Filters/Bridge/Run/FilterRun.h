@@ -64,6 +64,23 @@ std::vector<double> SharesOfStages(const Stage& reading, const Stages& stages, c
 /// Leaves nothing in them.
 void EmptyOutputs(vtkInformationVector* outputs);
 
+/// What a pipeline asks of a filter.
+struct PipelineRequest
+{
+  vtkInformation* Request;
+  vtkInformationVector** Inputs;
+  vtkInformationVector* Outputs;
+};
+
+/// Of each input port.
+using WholeInputs = std::vector<WholeInput>;
+
+/// REQUEST_DATA of a filter whose first rank does all of the work, which is `run`: gathers the
+/// inputs for it, and shares what comes of it. `errorCode` is that of the filter. Returns 1, also
+/// where there was an error: views keep what was before it where that is 0.
+int RunOnFirstRank(vtkAlgorithm* filter, unsigned long& errorCode, const PipelineRequest& request,
+  const std::function<void(const WholeInputs&)>& run);
+
 /// One execution of a filter: progress, refusals, warnings, and the places of problems.
 class FilterRun
 {
@@ -176,6 +193,18 @@ inline std::string CheckMergeTolerance(double tolerance)
 inline std::string CheckMostVertices(std::int64_t most)
 {
   return most < 1 ? "Maximum Number Of Vertices is below 1." : "";
+}
+
+inline std::string CheckBitingConstant(double constant)
+{
+  return constant == 0.0 || (constant >= 0.1 && constant <= 1.0) ? ""
+                                                                 : "Biting Constant is " +
+      ValueText(constant) + "; it must be 0 (automatic) or within [0.1, 1].";
+}
+
+inline std::string CheckMostBites(std::int64_t most)
+{
+  return most < -1 ? "Maximum Number Of Bites is below -1; -1 means until the front is empty." : "";
 }
 
 /// Of all that the mesher has.

@@ -323,14 +323,16 @@ std::string FactsOf(const ProblemGroup& group, const std::string& place)
   {
     return wording.What + Occurrences(group, wording, place) + ".";
   }
-  const bool hasPlace = first.Code == ProblemCode::NoClosedLoop && !first.Detail.empty();
   return wording.What + (first.Detail.empty() ? "" : ": " + first.Detail) +
-    (hasPlace ? " near " + place : "") + ".";
+    (place.empty() ? "" : " near " + place) + ".";
 }
 
 std::string FactsOf(const ProblemGroup& group, const PlanarInput& input)
 {
-  return FactsOf(group, PlaceText(PlaceInSpace(group.First.front(), input)));
+  const Problem& first = group.First.front();
+  const bool hasPlace = !ShownIdsOf(first).empty() ||
+    (first.Code == ProblemCode::NoClosedLoop && !first.Detail.empty());
+  return FactsOf(group, hasPlace ? PlaceText(PlaceInSpace(first, input)) : "");
 }
 
 } // namespace
@@ -394,8 +396,9 @@ std::string MessageFrom(const ProblemGroup& group, const PlanarInput& input)
 std::string MessageInSpace(const ProblemGroup& group)
 {
   const std::string advice = WordingOf(group.Code).Advice;
-  return FactsOf(group, PlaceText(group.First.front().Place)) + (advice.empty() ? "" : " ") +
-    advice;
+  const bool hasPlace = group.Code != ProblemCode::TooManyVertices;
+  return FactsOf(group, hasPlace ? PlaceText(group.First.front().Place) : "") +
+    (advice.empty() ? "" : " ") + advice;
 }
 
 std::string HeadingOf(const ProblemGroup& group)

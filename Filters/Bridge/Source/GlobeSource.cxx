@@ -46,14 +46,12 @@ TriangulatedSource TrianglesOf(const GridSource& grid)
 
 } // namespace
 
-void SourceOnGlobe(const PlaneFrame& frame, SpacingOptions& options, Pulse& pulse)
+std::shared_ptr<const TriangulatedSource> SourceOnGlobe(
+  const PlaneFrame& frame, const GivenSource& source, Pulse& pulse)
 {
-  if (!options.Grid && !options.Triangulation)
-  {
-    return;
-  }
+  const auto* grid = std::get_if<std::shared_ptr<const GridSource>>(&source);
   auto mapped = std::make_shared<TriangulatedSource>(
-    options.Grid ? TrianglesOf(*options.Grid) : *options.Triangulation);
+    grid ? TrianglesOf(**grid) : *std::get<std::shared_ptr<const TriangulatedSource>>(source));
   std::vector<std::uint8_t> isFar;
   isFar.reserve(mapped->Points.size());
   for (Point2& point : mapped->Points)
@@ -76,8 +74,7 @@ void SourceOnGlobe(const PlaneFrame& frame, SpacingOptions& options, Pulse& puls
   mapped->Triangles = std::move(near);
   SortSource(*mapped, pulse);
   mapped->MayOverlap = true;
-  options.Triangulation = std::move(mapped);
-  options.Grid = nullptr;
+  return mapped;
 }
 
 } // namespace biting

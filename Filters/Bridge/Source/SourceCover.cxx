@@ -80,17 +80,13 @@ std::string UncoveredText(double share, const Point3& place)
 
 SourceCover::SourceCover(const SpacingOptions& options)
 {
-  if (options.Grid)
+  for (const GivenSource& source : options.Sources)
   {
-    this->CoverGrid(*options.Grid);
-  }
-  else if (options.Triangulation && !options.Triangulation->Points.empty())
-  {
-    this->CoverTriangles(*options.Triangulation);
+    std::visit([this](const auto& given) { this->Cover(*given); }, source);
   }
 }
 
-void SourceCover::CoverGrid(const GridSource& grid)
+void SourceCover::Cover(const GridSource& grid)
 {
   this->HasSource = true;
   Box2 box;
@@ -99,9 +95,9 @@ void SourceCover::CoverGrid(const GridSource& grid)
   this->Bounds = Widened(box, StepAtEnds(grid.XNodes), StepAtEnds(grid.YNodes));
 }
 
-void SourceCover::CoverTriangles(const TriangulatedSource& source)
+void SourceCover::Cover(const TriangulatedSource& source)
 {
-  this->HasSource = true;
+  this->HasSource = !source.Points.empty();
   Box2 box;
   for (const Point2& point : source.Points)
   {
@@ -111,7 +107,7 @@ void SourceCover::CoverTriangles(const TriangulatedSource& source)
   this->Bounds = Widened(box, step, step);
   const double side = std::max(this->Bounds.Width(), this->Bounds.Height());
   this->SquareSize = std::max(step, side / MostSquaresAlongASide);
-  if (!(this->SquareSize > 0.0))
+  if (!this->HasSource || !(this->SquareSize > 0.0))
   {
     return;
   }

@@ -24,14 +24,15 @@ namespace biting
 class SourceCover
 {
 public:
-  /// Of the grid or the triangulation of `options`; everything is covered where there is neither.
+  /// Of the one grid or triangulation of `options`; everything is covered where there is none.
   explicit SourceCover(const SpacingOptions& options);
 
   bool Covers(const Point2& place) const;
 
 private:
-  void CoverGrid(const GridSource& grid);
-  void CoverTriangles(const TriangulatedSource& source);
+  void Cover(const GridSource& grid);
+  void Cover(const TriangulatedSource& source);
+  void Cover(const SegmentSource&) {} // everywhere
   void Mark(const Box2& box);
   std::size_t Column(double x) const;
   std::size_t Row(double y) const;

@@ -172,7 +172,7 @@ std::string AddGrid(const SourceData& chosen, const std::vector<double>& values,
   const std::shared_ptr<const GridSource>& grid, SpacingOptions& options, ProblemPlaces& places,
   Pulse& pulse)
 {
-  options.Grid = grid;
+  options.Sources.emplace_back(grid);
   return CheckReadValues(chosen.Data, chosen.Chosen.Array, values.empty() ? grid->Values : values,
     nullptr, SpacingOwner::Source, places, pulse);
 }
@@ -201,7 +201,7 @@ std::string AddCells(const SourceData& chosen, const std::vector<double>& values
   const PulsePart part(pulse, TrianglesEnd, 1.0);
   SortSource(*triangulation, pulse);
   triangulation->MayOverlap = true;
-  options.Triangulation = triangulation;
+  options.Sources.emplace_back(triangulation);
   return HasArea(*triangulation, pulse)
     ? ""
     : "The cells of the spacing source have no area in the plane of the input.";
@@ -272,16 +272,20 @@ std::string AddSourceSpacing(const SourceData& chosen, const PlaneFrame& frame,
   {
     const auto isWantedInDegrees = [&frame, &isWanted](const Point2& degrees)
     { return isWanted(frame.ToPlane(Point3(degrees).Data())); };
+    const std::size_t count = options.Sources.size();
     const std::string refusal =
       AddSourceSpacing(chosen, frame.OfDegrees(), isWantedInDegrees, options, places, monitor);
+    if (!refusal.empty() || options.Sources.size() == count)
+    {
+      return refusal;
+    }
     Pulse pulse(monitor);
-    SourceOnGlobe(frame, options, pulse);
-    const bool isEmpty = options.Triangulation && options.Triangulation->Triangles.empty();
-    return refusal.empty() && isEmpty && !pulse.HasStopped()
+    const auto source = SourceOnGlobe(frame, options.Sources.back(), pulse);
+    options.Sources.back() = source;
+    return source->IsEmpty() && !pulse.HasStopped()
       ? "The spacing source has no cells on this side of the globe, or they are wider than a "
-        "quarter "
-        "of it."
-      : refusal;
+        "quarter of it."
+      : "";
   }
   Pulse pulse(monitor);
   vtkDataSet* source = chosen.Data;

@@ -3,7 +3,7 @@
 
 #include "OldPlaces.h"
 
-#include "../Spacing/BorderEdge.h"
+#include "../Spacing/TriangleInterpolator.h"
 #include "../Spacing/TriangleBuckets.h"
 
 #include <algorithm> // for min, max

@@ -42,7 +42,7 @@ WantedSpacing::WantedSpacing(const OldMesh& mesh, const SpacingOptions& options,
   {
     return;
   }
-  this->IsLocal = !options.Grid && !options.Triangulation && !values.empty();
+  this->IsLocal = options.Sources.empty() && !values.empty();
   if (this->IsLocal)
   {
     this->Combine(values, problems);
@@ -200,8 +200,11 @@ Spacing WantedSpacing::Prepare(const ChangedRegion& region, const RegionEdges* p
     const double gradation = options.Gradation;
     options = SpacingOptions();
     options.Gradation = pieces ? gradation : 0.0;
-    options.Triangulation = this->SourceOn(region);
-    options.Uniform = options.Triangulation ? 0.0 : this->LeastOf(region);
+    if (const auto source = this->SourceOn(region))
+    {
+      options.Sources.emplace_back(source);
+    }
+    options.Uniform = options.Sources.empty() ? this->LeastOf(region) : 0.0;
   }
   options.Minimum = this->Options.Minimum;
   options.Features = pieces ? this->FeaturesOf(region, *pieces, mostVertices, monitor) : nullptr;

@@ -4,87 +4,94 @@
 #ifndef BitingVertexTree_h
 #define BitingVertexTree_h
 
-#include "../Base/Box.h"
-#include "../Base/Ids.h"
-#include "../Base/Point.h"
-#include "../Base/Pulse.h"
+#include "../Base/BoxTree.h"
+#include "../Predicates/Predicates.h"
 
 #include <array>   // for corners
 #include <cstdint> // for flags
-#include <vector>  // for the arrays
 
 namespace biting
 {
 
-/// Vertices of the plane that go one by one: which of those that are left lies in a triangle?
-/// A balanced tree of boxes, those without a vertex left passed over. Built in
-/// O(n log n); a removal costs O(1) on average, a question the boxes along the triangle's border,
-/// and the way to it from a vertex nearby: short for a small triangle.
+/// Vertices of the plane that go one by one: which of those that are left lies in a triangle, or in
+/// a box? A question costs the boxes that the triangle's box meets, and the vertices in it, gone
+/// ones too.
 class VertexTree
 {
 public:
-  /// Refers to `points`. Where the monitor wants to stop it is unfinished, not to be asked.
-  VertexTree(const std::vector<Point2>& points, Pulse& pulse);
+  /// Where the monitor wants to stop it is unfinished, not to be asked.
+  VertexTree(const std::vector<Point2>& points, Pulse& pulse)
+    : Tree(ItemsOf(points), pulse)
+    , IsLeft(points.size(), 1)
+  {
+  }
 
-  void Remove(Id vertex);
+  void Remove(Id vertex) { this->IsLeft[vertex] = 0; }
 
   /// One of the vertices that are left in the closed triangle, decided exactly, none of `passed`;
-  /// NoId where there is none. Precondition: corners are counterclockwise. The search begins at the
-  /// first of `passed`.
-  Id FindIn(const std::array<Point2, 3>& corners, const std::array<Id, 3>& passed) const;
+  /// NoId where there is none. Precondition: corners are counterclockwise.
+  Id FindIn(const std::array<Point2, 3>& corners, const std::array<Id, 3>& passed) const
+  {
+    Box2 box = Box2::Around(corners[0], corners[1]);
+    box.Add(corners[2]);
+    Id found = NoId;
+    this->Tree.AllOf(box,
+      [this, &corners, &passed, &found](const Item& item)
+      {
+        const bool isPassed = !this->IsLeft[item.Vertex] ||
+          std::find(passed.begin(), passed.end(), item.Vertex) != passed.end();
+        found = !isPassed && IsIn(corners, item.Place) ? item.Vertex : NoId;
+        return found == NoId;
+      });
+    return found;
+  }
 
   /// Calls visit(vertex) for each vertex that is left in the closed box.
   template <typename Visitor>
-  void VisitIn(const Box2& box, const Visitor& visit) const;
+  void VisitIn(const Box2& box, const Visitor& visit) const
+  {
+    this->Tree.AllOf(box,
+      [this, &visit](const Item& item)
+      {
+        if (this->IsLeft[item.Vertex])
+        {
+          visit(item.Vertex);
+        }
+        return true;
+      });
+  }
 
 private:
-  /// Nodes lie in preorder: the first child follows its parent, Next is the node after the subtree.
-  struct Node
+  struct Item
   {
-    Box2 Box;
-    Box2 Cell;    ///< all vertices strictly within it are the node's
-    Id Count = 0; ///< of its vertices, or children, that are left
-    Id Parent = NoId;
-    Id Next = NoId;
-    Id First = 0; ///< of its items
-    Id Last = 0;  ///< one past
+    Point2 Place;
+    Id Vertex = NoId;
+
+    // For a BoxTree.
+    Box2 Box() const { return { this->Place, this->Place }; }
+    double Least() const { return 0.0; }
   };
 
-  void Build(Id first, Id last, const Box2& cell, Id parent, Pulse& pulse);
-  void BuildChildren(Id node, Pulse& pulse);
-  Id FindNodeAround(const Box2& box, Id vertex) const;
-  bool IsLeaf(Id node) const { return this->Nodes[node].Next == node + 1; }
+  static std::vector<Item> ItemsOf(const std::vector<Point2>& points)
+  {
+    std::vector<Item> items;
+    items.reserve(points.size());
+    for (const Point2& point : points)
+    {
+      items.push_back({ point, static_cast<Id>(items.size()) });
+    }
+    return items;
+  }
 
-  const std::vector<Point2>& Points;
-  std::vector<Id> Items; ///< vertices
-  std::vector<Node> Nodes;
-  std::vector<Id> Leaves;           ///< of each vertex
+  static bool IsIn(const std::array<Point2, 3>& corners, const Point2& p)
+  {
+    return Orient2D(corners[0], corners[1], p) >= 0 && Orient2D(corners[1], corners[2], p) >= 0 &&
+      Orient2D(corners[2], corners[0], p) >= 0;
+  }
+
+  BoxTree<Item> Tree;
   std::vector<std::uint8_t> IsLeft; ///< of each vertex
 };
-
-template <typename Visitor>
-void VertexTree::VisitIn(const Box2& box, const Visitor& visit) const
-{
-  const Id end = static_cast<Id>(this->Nodes.size());
-  for (Id node = 0; node < end;)
-  {
-    const Node& here = this->Nodes[node];
-    if (here.Count == 0 || !here.Box.Meets(box))
-    {
-      node = here.Next;
-      continue;
-    }
-    for (Id i = here.First; this->IsLeaf(node) && i < here.Last; ++i)
-    {
-      const Id vertex = this->Items[i];
-      if (this->IsLeft[vertex] && box.Contains(this->Points[vertex]))
-      {
-        visit(vertex);
-      }
-    }
-    ++node;
-  }
-}
 
 } // namespace biting
 

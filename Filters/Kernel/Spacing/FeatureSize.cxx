@@ -6,7 +6,7 @@
 #include "../Base/DistanceToSegment.h"
 #include "../Base/Numbers.h"
 #include "../Base/Tasks.h"
-#include "SegmentExtension.h"
+#include "SegmentCone.h"
 
 #include <atomic> // for what tasks count together
 #include <cmath>  // for expm1
@@ -150,15 +150,6 @@ public:
   {
   }
 
-  /// Of a piece of a segment, or a point.
-  struct Cap
-  {
-    Point2 Start;
-    Point2 End;
-    double StartValue;
-    double EndValue;
-  };
-
   /// Segments [begin, end), until there are too many samples; `samplesOfAll` counts those of all
   /// ranges.
   void Run(std::size_t begin, std::size_t end, std::atomic<std::size_t>& samplesOfAll)
@@ -173,7 +164,7 @@ public:
     }
   }
 
-  std::vector<Cap> TakeCaps() { return std::move(this->Caps); }
+  SegmentSource Caps; ///< of pieces of segments, and points
 
 private:
   struct Sample
@@ -198,7 +189,7 @@ private:
     }
     else if (start.Capped < start.Given)
     {
-      this->Caps.push_back({ start.Place, start.Place, start.Capped, start.Capped });
+      this->Caps.Add(start.Place, start.Place, start.Capped, start.Capped);
     }
   }
 
@@ -269,7 +260,7 @@ private:
     {
       if (start.Capped < start.Given || end.Capped < end.Given)
       {
-        this->Caps.push_back({ start.Place, end.Place, start.Capped, end.Capped });
+        this->Caps.Add(start.Place, end.Place, start.Capped, end.Capped);
       }
       return;
     }
@@ -285,7 +276,6 @@ private:
 
   const CapRule& Rule;
   Pulse& Beats;
-  std::vector<Cap> Caps;
   Id Segment = 0;
   double MostByLength = 0.0; ///< f on that segment
   Sample LastEnd{ { Infinity, Infinity } };
@@ -293,107 +283,68 @@ private:
   std::size_t Samples = 0;       ///< of the segment at work
 };
 
-/// Lowers f along all segments.
-class FeatureCap
+/// Of f as given, sampled at the ends of parts of each segment.
+bool HasTooManyPieces(const CapRule& rule, Pulse& pulse)
 {
-public:
-  FeatureCap(const CapRule& rule, SegmentSource& caps, Pulse& pulse)
-    : Rule(rule)
-    , Beats(pulse)
-    , Caps(caps)
+  const FeatureSource& source = rule.Source;
+  const std::size_t count = source.Starts.size();
+  double length = 0.0;
+  for (std::size_t segment = 0; segment < count; ++segment)
   {
+    const Feature feature(source, segment);
+    length += Distance(feature.Start, feature.End);
   }
-
-  bool Run()
+  const double most = source.MostPieces;
+  double pieces = length / (PieceLength * rule.Given.Least);
+  if (pieces <= most)
   {
-    if (!this->HasTooManyPieces() && !this->Beats.HasStopped() && !this->CapAtOnce())
-    {
-      this->CapInOrder();
-    }
-    return !this->Beats.HasStopped();
+    return false;
   }
-
-private:
-  /// Of f as given, sampled at the ends of parts of each segment.
-  bool HasTooManyPieces()
+  const double parts =
+    std::max(2.0, std::min(PartsOfSegment, std::floor(MostParts / static_cast<double>(count))));
+  pieces = 0.0;
+  for (std::size_t segment = 0; segment < count && pieces <= most; ++segment)
   {
-    const FeatureSource& source = this->Rule.Source;
-    const std::size_t count = source.Starts.size();
-    double length = 0.0;
-    for (std::size_t segment = 0; segment < count; ++segment)
+    const Feature feature(source, segment);
+    const Point2 step = (1.0 / parts) * (feature.End - feature.Start);
+    double last = rule.Given.Given(feature.Start);
+    for (double part = 1.0; part <= parts && pulse.Beat(); part += 1.0)
     {
-      const Feature feature(source, segment);
-      length += Distance(feature.Start, feature.End);
-    }
-    const double most = source.MostPieces;
-    double pieces = length / (PieceLength * this->Rule.Given.Least);
-    if (pieces <= most)
-    {
-      return false;
-    }
-    const double parts =
-      std::max(2.0, std::min(PartsOfSegment, std::floor(MostParts / static_cast<double>(count))));
-    pieces = 0.0;
-    for (std::size_t segment = 0; segment < count && pieces <= most; ++segment)
-    {
-      const Feature feature(source, segment);
-      const Point2 step = (1.0 / parts) * (feature.End - feature.Start);
-      double last = this->Rule.Given.Given(feature.Start);
-      for (double part = 1.0; part <= parts && this->Beats.Beat(); part += 1.0)
-      {
-        const double next = this->Rule.Given.Given(feature.Start + part * step);
-        pieces += Length(step) / (PieceLength * std::max(last, next));
-        last = next;
-      }
-    }
-    return pieces > most;
-  }
-
-  /// Each range of segments by a task. False, and nothing is capped, where there are too many
-  /// samples in all.
-  bool CapAtOnce()
-  {
-    const std::size_t count = this->Rule.Source.Starts.size();
-    std::vector<std::vector<CappedRange::Cap>> ranges(
-      (count + SegmentsPerTask - 1) / SegmentsPerTask);
-    std::atomic<std::size_t> samplesOfAll{ 0 };
-    DoTasks(this->Beats, ranges.size(),
-      [this, count, &ranges, &samplesOfAll](std::size_t k, Monitor& monitor)
-      {
-        Pulse own(monitor);
-        CappedRange range(this->Rule, own);
-        range.Run(k * SegmentsPerTask, std::min(count, (k + 1) * SegmentsPerTask), samplesOfAll);
-        ranges[k] = range.TakeCaps();
-      });
-    const bool isWhole = static_cast<double>(samplesOfAll) <= this->Rule.MostSamples();
-    for (std::size_t k = 0; k < ranges.size() && isWhole; ++k)
-    {
-      this->Add(ranges[k]);
-    }
-    return isWhole;
-  }
-
-  /// Up to the segment where there are too many samples: as on one thread.
-  void CapInOrder()
-  {
-    std::atomic<std::size_t> samplesOfAll{ 0 };
-    CappedRange range(this->Rule, this->Beats);
-    range.Run(0, this->Rule.Source.Starts.size(), samplesOfAll);
-    this->Add(range.TakeCaps());
-  }
-
-  void Add(const std::vector<CappedRange::Cap>& caps)
-  {
-    for (const CappedRange::Cap& cap : caps)
-    {
-      this->Caps.Add(cap.Start, cap.End, cap.StartValue, cap.EndValue);
+      const double next = rule.Given.Given(feature.Start + part * step);
+      pieces += Length(step) / (PieceLength * std::max(last, next));
+      last = next;
     }
   }
+  return pieces > most;
+}
 
-  const CapRule& Rule;
-  Pulse& Beats;
-  SegmentSource& Caps;
-};
+/// Lowers f along all segments, each range of them by a task. Where there are too many samples in
+/// all: up to the segment where there are, as on one thread.
+void CapAll(const CapRule& rule, SegmentSource& caps, Pulse& pulse)
+{
+  const std::size_t count = rule.Source.Starts.size();
+  std::vector<SegmentSource> ranges((count + SegmentsPerTask - 1) / SegmentsPerTask);
+  std::atomic<std::size_t> samplesOfAll{ 0 };
+  DoTasks(pulse, ranges.size(),
+    [&rule, count, &ranges, &samplesOfAll](std::size_t k, Monitor& monitor)
+    {
+      Pulse own(monitor);
+      CappedRange range(rule, own);
+      range.Run(k * SegmentsPerTask, std::min(count, (k + 1) * SegmentsPerTask), samplesOfAll);
+      ranges[k] = std::move(range.Caps);
+    });
+  if (static_cast<double>(samplesOfAll) > rule.MostSamples())
+  {
+    samplesOfAll = 0;
+    CappedRange range(rule, pulse);
+    range.Run(0, count, samplesOfAll);
+    ranges = { std::move(range.Caps) };
+  }
+  for (const SegmentSource& range : ranges)
+  {
+    caps.Add(range);
+  }
+}
 
 } // namespace
 
@@ -479,7 +430,11 @@ bool AddFeatureSizes(
     : std::vector<SegmentCone>();
   const CapRule rule{ source, given, FeatureSize(source, pulse),
     SegmentExtension(drawn, given.Gradation, pulse), DiagonalOf(source.Points) };
-  return !pulse.HasStopped() && FeatureCap(rule, caps, pulse).Run();
+  if (!pulse.HasStopped() && !HasTooManyPieces(rule, pulse) && !pulse.HasStopped())
+  {
+    CapAll(rule, caps, pulse);
+  }
+  return !pulse.HasStopped();
 }
 
 } // namespace biting

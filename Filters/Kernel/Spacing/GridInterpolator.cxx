@@ -9,6 +9,7 @@
 #include <cmath>     // for isnan
 #include <cstdint>   // for marks
 #include <limits>    // for nodes that have no value yet
+#include <numeric>   // for iota
 #include <utility>   // for move
 
 namespace biting
@@ -105,33 +106,30 @@ std::shared_ptr<const GridSource> WithoutHoles(
         GridSource{ source->XNodes, source->YNodes, HoleFilling(*source).Fill(pulse) });
 }
 
-/// Twice the first and the last node where they do not reach `low` and `high`, and there are two
-/// nodes at least.
-std::vector<std::size_t> ReachingNodes(const std::vector<double>& nodes, double low, double high)
+/// The nodes of an axis and their numbers: the first and the last one twice where they do not reach
+/// `low` and `high`, and two nodes at least.
+struct ReachingAxis
 {
-  std::vector<std::size_t> numbers(low < nodes.front() ? 1 : 0, 0);
-  for (std::size_t node = 0; node < nodes.size(); ++node)
-  {
-    numbers.push_back(node);
-  }
-  numbers.insert(
-    numbers.end(), high > nodes.back() || numbers.size() == 1 ? 1 : 0, nodes.size() - 1);
-  return numbers;
-}
+  std::vector<double> Nodes;
+  std::vector<std::size_t> Numbers;
 
-std::vector<double> ReachingAxis(const std::vector<double>& nodes,
-  const std::vector<std::size_t>& numbers, double low, double high)
-{
-  std::vector<double> reaching;
-  reaching.reserve(numbers.size());
-  for (const std::size_t node : numbers)
+  ReachingAxis(const std::vector<double>& nodes, double low, double high)
+    : Nodes(nodes)
+    , Numbers(nodes.size())
   {
-    reaching.push_back(nodes[node]);
+    std::iota(this->Numbers.begin(), this->Numbers.end(), 0);
+    if (low < nodes.front())
+    {
+      this->Nodes.insert(this->Nodes.begin(), low);
+      this->Numbers.insert(this->Numbers.begin(), 0);
+    }
+    if (high > nodes.back() || this->Nodes.size() == 1)
+    {
+      this->Nodes.push_back(std::max(nodes.back(), high));
+      this->Numbers.push_back(nodes.size() - 1);
+    }
   }
-  reaching.front() = std::min(nodes.front(), low);
-  reaching.back() = std::max(nodes.back(), high);
-  return reaching;
-}
+};
 
 /// The same spacing on a grid that reaches over `bounds`.
 std::shared_ptr<const GridSource> ReachingOver(
@@ -139,18 +137,17 @@ std::shared_ptr<const GridSource> ReachingOver(
 {
   const std::vector<double>& xs = source->XNodes;
   const std::vector<double>& ys = source->YNodes;
-  const std::vector<std::size_t> columns = ReachingNodes(xs, bounds.Low.X, bounds.High.X);
-  const std::vector<std::size_t> rows = ReachingNodes(ys, bounds.Low.Y, bounds.High.Y);
-  if (columns.size() == xs.size() && rows.size() == ys.size())
+  const ReachingAxis columns(xs, bounds.Low.X, bounds.High.X);
+  const ReachingAxis rows(ys, bounds.Low.Y, bounds.High.Y);
+  if (columns.Nodes.size() == xs.size() && rows.Nodes.size() == ys.size())
   {
     return source;
   }
-  GridSource reaching{ ReachingAxis(xs, columns, bounds.Low.X, bounds.High.X),
-    ReachingAxis(ys, rows, bounds.Low.Y, bounds.High.Y), {} };
-  reaching.Values.reserve(columns.size() * rows.size());
-  for (const std::size_t row : rows)
+  GridSource reaching{ columns.Nodes, rows.Nodes, {} };
+  reaching.Values.reserve(columns.Nodes.size() * rows.Nodes.size());
+  for (const std::size_t row : rows.Numbers)
   {
-    for (const std::size_t column : columns)
+    for (const std::size_t column : columns.Numbers)
     {
       reaching.Values.push_back(source->Values[column + row * xs.size()]);
     }

@@ -14,7 +14,13 @@ namespace
 {
 
 /// How far apart rays are, as a share of the value: f is too large by slope times half of that.
-constexpr double WidthOfRay = 0.35;
+constexpr double WidthOfRay = 0.45;
+
+/// Of neighboring rays one of which is far shorter: where their values differ by no more than
+/// LargestRise, or they start no farther apart than LeastBase, as shares of the lower value, they
+/// stand for those between.
+constexpr double LargestRise = 0.2;
+constexpr double LeastBase = 0.06;
 
 /// A ray that ends nearer than this share of the value is not looked at closer.
 constexpr double ShortRay = 0.2;
@@ -93,31 +99,38 @@ private:
     return DistanceOfPoints(share, this->Rule.Slope) * spacing;
   }
 
-  /// Casts the ray between two others, and those on both sides of it where they are far apart.
+  /// Casts the ray between two others, and those on both sides of it where they are far apart, or
+  /// differ in value and in length.
   void Divide(Ray first, Ray last, int divisions)
   {
     const double base = Distance(first.Start, last.Start);
-    const double low = std::min(first.Value, last.Value);
-    const double least = this->Rule.Range(low);
-    const bool isLong = base > this->ShareOf(least, WidthOfRay);
+    const double least = this->Rule.Range(std::min(first.Value, last.Value));
+    const auto castEnds = [this, &first, &last](bool isTime)
+    {
+      if (isTime)
+      {
+        this->Cast(first, this->IsSteep);
+        this->Cast(last, this->IsSteep);
+      }
+    };
+    castEnds(divisions == 0 && base > 0.0);
     const Point2 sum = first.Direction + last.Direction;
     Ray middle{ Midpoint(first.Start, last.Start), (1.0 / Length(sum)) * sum,
-      isLong ? 0.5 * (first.Value + last.Value) : low,
+      0.5 * (first.Value + last.Value),
       std::min(first.Most, last.Most) + 0.5 * this->Rule.Slope * base };
     this->Cast(middle, this->IsSteep || first.HasJump || last.HasJump);
     const double width = base +
       Distance(first.Direction, last.Direction) *
         std::max({ first.Length, middle.Length, last.Length });
-    if (width <= this->ShareOf(std::min(least, middle.Least), WidthOfRay) ||
+    const double rise = this->Rule.Range(std::max(first.Value, last.Value)) - least;
+    const bool isAlike = rise <= LargestRise * least || base <= this->ShareOf(least, LeastBase) ||
+      std::min(first.Length, last.Length) > 0.5 * middle.Length;
+    if ((isAlike && width <= this->ShareOf(std::min(least, middle.Least), WidthOfRay)) ||
       divisions == MostDivisions || this->Count > MostRays)
     {
       return;
     }
-    if (divisions == 0)
-    {
-      this->Cast(first, this->IsSteep);
-      this->Cast(last, this->IsSteep);
-    }
+    castEnds(divisions == 0 && base == 0.0);
     if (divisions < LeastDivisions || this->IsSteep || first.HasJump || middle.HasJump ||
       last.HasJump)
     {

@@ -94,8 +94,8 @@ public:
   }
 
   /// Makes a leaf the root of another tree, of the same cube, whose leaves get numbers larger by
-  /// `shift`, but for 0; returns by how much its other nodes have.
-  Id Graft(const Cube& cube, const Orthtree& other, Id shift)
+  /// `shift`, but for 0.
+  void Graft(const Cube& cube, const Orthtree& other, Id shift)
   {
     const Id nodeShift = static_cast<Id>(this->Nodes.size()) - 1;
     const auto shifted = [shift, nodeShift](Id node)
@@ -106,7 +106,6 @@ public:
     this->Nodes[static_cast<std::size_t>(cube.Node)] = shifted(other.Nodes.front());
     std::transform(
       other.Nodes.begin() + 1, other.Nodes.end(), std::back_inserter(this->Nodes), shifted);
-    return nodeShift;
   }
 
   /// To be called once, when all leaves are set.

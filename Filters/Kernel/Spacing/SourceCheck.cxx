@@ -57,7 +57,7 @@ public:
         NumberText(options.Maximum));
   }
 
-  void CheckGrid(const GridSource& grid, double scale)
+  void Check(const GridSource& grid, double scale)
   {
     const std::size_t columns = grid.XNodes.size();
     assert(grid.Values.size() == columns * grid.YNodes.size());
@@ -75,6 +75,19 @@ public:
       });
   }
 
+  void Check(const TriangulatedSource& source, double scale)
+  {
+    this->Require(!source.Triangles.empty() || source.Points.empty(),
+      "there are points but no triangles in the triangulated source");
+    this->CheckPoints("triangulated source", source, scale, true);
+  }
+
+  void Check(const SegmentSource& source, double scale, const char* name = "segment source")
+  {
+    this->CheckPoints(name, source, scale, false);
+  }
+
+private:
   template <typename Source>
   void CheckPoints(const std::string& name, const Source& source, double scale, bool mayBeHoles)
   {
@@ -99,7 +112,6 @@ public:
     }
   }
 
-private:
   /// `positionOf(id)` is where value id is given.
   template <typename PositionOf>
   void CheckValues(const std::string& name, const std::vector<double>& values, double scale,
@@ -138,15 +150,15 @@ double LeastGiven(const SpacingOptions& options)
   double least = options.Uniform > 0.0 ? options.Uniform : Infinity;
   const auto lower = [&least](const auto& source)
   {
-    for (std::size_t id = 0; source && id < source->Values.size(); ++id)
+    for (const double value : source->Values)
     {
-      const double value = source->Values[id];
       least = value > 0.0 && value < least ? value : least;
     }
   };
-  lower(options.Grid);
-  lower(options.Triangulation);
-  lower(options.Segments);
+  for (const GivenSource& source : options.Sources)
+  {
+    std::visit(lower, source);
+  }
   return least;
 }
 
@@ -154,24 +166,15 @@ bool CheckSpacing(const SpacingOptions& options, ProblemList& problems, Monitor&
 {
   Checker checker(problems, monitor);
   checker.CheckParameters(options);
-  if (options.Grid)
+  const auto check = [&checker, &options](const auto& source)
+  { checker.Check(*source, options.Scale); };
+  for (const GivenSource& source : options.Sources)
   {
-    checker.CheckGrid(*options.Grid, options.Scale);
-  }
-  if (options.Triangulation)
-  {
-    const TriangulatedSource& source = *options.Triangulation;
-    checker.Require(!source.Triangles.empty() || source.Points.empty(),
-      "there are points but no triangles in the triangulated source");
-    checker.CheckPoints("triangulated source", source, options.Scale, true);
-  }
-  if (options.Segments)
-  {
-    checker.CheckPoints("segment source", *options.Segments, options.Scale, false);
+    std::visit(check, source);
   }
   if (options.Floor)
   {
-    checker.CheckPoints("floor of the spacing", *options.Floor, 1.0, false);
+    checker.Check(*options.Floor, 1.0, "floor of the spacing");
   }
   return checker.IsGood();
 }

@@ -11,14 +11,14 @@
 #include "ConeTree.h"
 #include "FeatureSize.h"
 #include "GridInterpolator.h"
-#include "SegmentExtension.h"
+#include "SegmentCone.h"
 #include "SourceCheck.h"
 #include "TriangleInterpolator.h"
 
 #include <algorithm> // for min, max
 #include <cmath>     // for isnan
 #include <limits>    // for the least double
-#include <optional>  // for sources that may be missing
+#include <optional>  // for limits that may be missing
 #include <utility>   // for move
 
 namespace biting
@@ -49,38 +49,46 @@ double GradationOf(const SpacingOptions& options)
 /// would not be finite.
 SpacingOptions WithoutConstants(SpacingOptions options)
 {
+  std::vector<GivenSource> all = std::move(options.Sources);
+  std::stable_sort(all.begin(), all.end(),
+    [](const GivenSource& a, const GivenSource& b) { return a.index() < b.index(); });
+  options.Sources.clear();
   options.Uniform = options.Uniform > 0.0 ? options.Uniform : Infinity;
   const double most = GreatestSpacing / std::max(options.Scale, 1.0);
-  const auto reduce = [&options, most](auto& source, auto items, bool mayGrow)
+  const auto keep = [&options, most](auto source)
   {
+    using Kind = std::decay_t<decltype(*source)>;
+    const bool mayGrow = std::is_same_v<Kind, SegmentSource> && options.Gradation > 0.0;
     double least = Infinity;
     double greatest = 0.0;
-    for (std::size_t id = 0; source && id < source->Values.size(); ++id)
+    if (source->IsEmpty())
     {
-      least = std::min(least, source->Values[id]);
-      greatest = std::max(greatest, source->Values[id]);
+      return;
     }
-    if (!source || ((*source).*items).empty())
+    for (const double value : source->Values)
     {
-      source = nullptr;
+      least = std::min(least, value);
+      greatest = std::max(greatest, value);
     }
-    else if (!(least < greatest) && !mayGrow)
+    if (!(least < greatest) && !mayGrow)
     {
       options.Uniform = std::min(options.Uniform, std::min(least, most));
-      source = nullptr;
+      return;
     }
-    else if (greatest > most)
+    if (greatest > most)
     {
-      auto cut = std::make_shared<std::decay_t<decltype(*source)>>(*source);
+      auto cut = std::make_shared<Kind>(*source);
       std::replace_if(
         cut->Values.begin(), cut->Values.end(), [most](double value) { return value > most; },
         most);
-      source = cut;
+      source = std::move(cut);
     }
+    options.Sources.emplace_back(std::move(source));
   };
-  reduce(options.Grid, &GridSource::Values, false);
-  reduce(options.Triangulation, &TriangulatedSource::Triangles, false);
-  reduce(options.Segments, &SegmentSource::Segments, options.Gradation > 0.0);
+  for (const GivenSource& source : all)
+  {
+    std::visit(keep, source);
+  }
   return options;
 }
 
@@ -92,7 +100,7 @@ SpacingOptions WithoutConstants(SpacingOptions options)
 struct Spacing::Implementation
 {
   std::vector<std::shared_ptr<const Source>> Sources;
-  std::optional<ConeTree<2>> Segments; ///< of boundary values that do not grow with the gradation
+  std::vector<ConeTree<2>> Segments; ///< of boundary values that do not grow with the gradation
   std::optional<ConeTree<2>> Limit;
   std::optional<SegmentExtension>
     LimitBeforeFeatures;                 ///< a part of Limit, where there are features
@@ -119,7 +127,7 @@ struct Spacing::Implementation
     {
       this->LargestStretch = std::max(this->LargestStretch, this->StretchAt(corner));
     }
-    if (this->Uniform == Infinity && !options.Grid && !options.Triangulation && !options.Segments)
+    if (this->Uniform == Infinity && options.Sources.empty())
     {
       const double diagonal = bounds.Diagonal() / this->LargestStretch;
       this->Uniform = diagonal > 0.0 ? DefaultShareOfDiagonal * diagonal : 1.0;
@@ -128,7 +136,7 @@ struct Spacing::Implementation
 
   bool IsUniform() const
   {
-    return this->Sources.empty() && !this->Segments && !this->Limit && !this->Floor &&
+    return this->Sources.empty() && this->Segments.empty() && !this->Limit && !this->Floor &&
       this->Curvature == 0.0;
   }
 
@@ -141,7 +149,12 @@ struct Spacing::Implementation
     {
       least = std::min(least, (*source)(x));
     }
-    return this->Lowered(this->StretchAt(x) * this->Range(least), this->Segments, x);
+    double given = this->StretchAt(x) * this->Range(least);
+    for (const ConeTree<2>& tree : this->Segments)
+    {
+      given = this->Lowered(given, tree, x);
+    }
+    return given;
   }
 
   double EvaluateBeforeFeatures(const Point2& x) const
@@ -152,7 +165,8 @@ struct Spacing::Implementation
 
   double EvaluateBeforeFloor(const Point2& x) const
   {
-    return this->Lowered(this->EvaluateGiven(x), this->Limit, x);
+    const double given = this->EvaluateGiven(x);
+    return this->Limit ? this->Lowered(given, *this->Limit, x) : given;
   }
 
   double Evaluate(const Point2& x) const
@@ -162,12 +176,9 @@ struct Spacing::Implementation
   }
 
 private:
-  /// By what may not be there.
-  template <typename Bound>
-  double Lowered(double value, const Bound& bound, const Point2& x) const
+  double Lowered(double value, const ConeTree<2>& bound, const Point2& x) const
   {
-    return bound ? std::max(std::min(value, (*bound)(x)), this->StretchAt(x) * this->Range.Least)
-                 : value;
+    return std::max(std::min(value, bound(x)), this->StretchAt(x) * this->Range.Least);
   }
 };
 
@@ -189,24 +200,34 @@ public:
   bool Run()
   {
     const SpacingOptions& given = this->Options;
-    return (!given.Grid || this->AddGrid()) && (!given.Triangulation || this->AddTriangulation()) &&
-      (!given.Segments || this->AddSegments()) && (!given.Features || this->AddFeatures()) &&
-      this->AddLimit() && (!given.Floor || this->AddFloor());
+    return this->AddSources() && (!given.Features || this->AddFeatures()) && this->AddLimit() &&
+      (!given.Floor || this->AddFloor());
   }
 
 private:
-  bool AddGrid()
+  bool AddSources()
   {
-    PartOfStage part(this->Stage, 0.05, 0.2);
-    Pulse pulse(part);
-    return this->AddSource(
-      std::make_shared<GridInterpolator>(this->Options.Grid, this->Bounds, pulse), pulse);
+    bool isGood = true;
+    for (std::size_t k = 0; k < this->Options.Sources.size() && isGood; ++k)
+    {
+      const double share = 0.5 / static_cast<double>(this->Options.Sources.size());
+      const double begin = 0.05 + share * static_cast<double>(k);
+      PartOfStage part(this->Stage, begin, begin + share);
+      isGood = std::visit([this, &part](const auto& source) { return this->Add(source, part); },
+        this->Options.Sources[k]);
+    }
+    return isGood;
   }
 
-  bool AddTriangulation()
+  bool Add(const std::shared_ptr<const GridSource>& grid, PartOfStage& part)
   {
-    PartOfStage part(this->Stage, 0.2, 0.5);
-    const auto source = std::make_shared<TriangleInterpolator>(this->Options.Triangulation, part);
+    Pulse pulse(part);
+    return this->AddSource(std::make_shared<GridInterpolator>(grid, this->Bounds, pulse), pulse);
+  }
+
+  bool Add(const std::shared_ptr<const TriangulatedSource>& triangles, PartOfStage& part)
+  {
+    const auto source = std::make_shared<TriangleInterpolator>(triangles, part);
     Pulse pulse(part);
     if (source->IsEmpty() && !part.HasStopped())
     {
@@ -236,20 +257,18 @@ private:
     return !this->Stage.HasStopped();
   }
 
-  bool AddSegments()
+  bool Add(const std::shared_ptr<const SegmentSource>& segments, PartOfStage& part)
   {
-    const SegmentSource& source = *this->Options.Segments;
-    this->AddSlope(LargestSlope(source));
+    this->AddSlope(LargestSlope(*segments));
     const double scale = this->Options.Scale;
-    PartOfStage part(this->Stage, 0.5, 0.6);
     if (this->Options.Gradation > 0.0 && scale >= 1.0)
     {
-      this->AddScaled(source);
+      this->AddScaled(*segments);
     }
     else
     {
-      const double slope = scale * SlopeOfCones(source, this->Options.Gradation);
-      this->MakeTree(source, scale, slope, part, this->Data.Segments);
+      const double slope = scale * SlopeOfCones(*segments, this->Options.Gradation);
+      this->Data.Segments.push_back(this->MakeTree(*segments, scale, slope, part));
     }
     return !this->Stage.HasStopped();
   }
@@ -271,12 +290,12 @@ private:
     }
   }
 
-  void MakeTree(const SegmentSource& source, double scale, double slope, PartOfStage& part,
-    std::optional<ConeTree<2>>& tree) const
+  ConeTree<2> MakeTree(
+    const SegmentSource& source, double scale, double slope, PartOfStage& part) const
   {
     Pulse pulse(part);
-    tree.emplace(MakeCones(source, scale, slope, pulse, MergingTolerance), slope, this->Bounds,
-      this->Data.LargestStretch * this->Range.Most, part);
+    return { MakeCones(source, scale, slope, pulse, MergingTolerance), slope, this->Bounds,
+      this->Data.LargestStretch * this->Range.Most, part };
   }
 
   bool AddFeatures()
@@ -300,7 +319,7 @@ private:
     if (!this->Low.Segments.empty())
     {
       PartOfStage refining(this->Stage, 0.7, 1.0);
-      this->MakeTree(this->Low, 1.0, GradationOf(this->Options), refining, this->Data.Limit);
+      this->Data.Limit = this->MakeTree(this->Low, 1.0, GradationOf(this->Options), refining);
     }
     return !this->Stage.HasStopped();
   }

@@ -13,6 +13,7 @@
 #include <cstdint>    // for masks
 #include <functional> // for floors
 #include <memory>     // for shared sources
+#include <variant>    // for kinds of sources
 #include <vector>     // for the arrays
 
 namespace biting
@@ -32,6 +33,8 @@ struct GridSource
   std::vector<double> XNodes; ///< ascending, at least one
   std::vector<double> YNodes; ///< ascending, at least one
   std::vector<double> Values;
+
+  bool IsEmpty() const { return this->Values.empty(); }
 };
 
 /// A spacing given on triangles: linear on each, the value of the nearest border point outside.
@@ -53,6 +56,8 @@ struct TriangulatedSource
 
   /// Whether the values keep the gradation as they are: then f is just as they say.
   bool IsGraded = false;
+
+  bool IsEmpty() const { return this->Triangles.empty(); }
 };
 
 /// A spacing given at the ends of segments: linear along them, inwards the Lipschitz extension
@@ -69,6 +74,8 @@ struct SegmentSource
   std::vector<Point2> Points;
   std::vector<double> Values; ///< one a point
   std::vector<Id> Segments;   ///< two point ids each
+
+  bool IsEmpty() const { return this->Segments.empty(); }
 
   /// Adds a segment with two points of its own, or a point source where these are equal.
   void Add(const Point2& start, const Point2& end, double startValue, double endValue)
@@ -88,6 +95,11 @@ struct SegmentSource
     }
   }
 };
+
+/// A source of any kind, not null. A kind has Values and IsEmpty, which says that it is no source.
+/// To add one: the struct, its name here, an Add in Spacing.cxx and a Check in SourceCheck.cxx.
+using GivenSource = std::variant<std::shared_ptr<const GridSource>,
+  std::shared_ptr<const TriangulatedSource>, std::shared_ptr<const SegmentSource>>;
 
 /// The segments and embedded points of a domain, whose local feature size caps f (the control
 /// spacing of the paper, section 2.1). On a segment f is at most
@@ -141,20 +153,18 @@ class Spacing;
 /// holes.
 ///
 /// The plane may be the stereographic one of a sphere of radius R, which touches it at the origin.
-/// Then Curvature is 1 / (4 R^2), what is given is in lengths of the sphere (Segments and Floor are
-/// in lengths of the plane), and f in lengths of the plane: k(x) = 1 + Curvature |x|^2 times as
+/// Then Curvature is 1 / (4 R^2), what is given is in lengths of the sphere (along segments: in
+/// lengths of the plane), and f in lengths of the plane: k(x) = 1 + Curvature |x|^2 times as
 /// large. The gradation limits f in the plane; the slope on the sphere differs from that by at most
 /// sqrt(k - 1) f / R.
 struct SpacingOptions
 {
   double Uniform = 0.0; ///< 0: none; where nothing else is given, 2 % of the diagonal of the domain
   double Scale = 1.0;
-  double Minimum = 0.0;                                    ///< 0: no bound
-  double Maximum = 0.0;                                    ///< 0: no bound
-  double Gradation = 0.3;                                  ///< g; 0 = as given
-  std::shared_ptr<const GridSource> Grid;                  ///< may be null
-  std::shared_ptr<const TriangulatedSource> Triangulation; ///< may be null
-  std::shared_ptr<const SegmentSource> Segments;           ///< may be null
+  double Minimum = 0.0;   ///< 0: no bound
+  double Maximum = 0.0;   ///< 0: no bound
+  double Gradation = 0.3; ///< g; 0 = as given
+  std::vector<GivenSource> Sources;
 
   std::shared_ptr<const FeatureSource> Features; ///< may be null: no limit by feature size
 
@@ -175,9 +185,8 @@ struct SpacingOptions
 /// given is nowhere steeper than g, f is as given.
 /// Tolerance: f is within 5 % of the largest g-Lipschitz function below what is given at 99 % of
 /// all places, and within 10 % anywhere in the bounds it was prepared for. What is given changes
-/// within less than f/2 is seen by its lowest value. Outside of triangles whose border values are
-/// steep f may be off by more at a few places, up to a third below, as low values within f/3 of the
-/// border count for all of it, and up to a fifth above; further above with a Gradation above 1.
+/// within less than f/2 is seen by its lowest value. Where Gradation is
+/// above 1, f may be further above.
 /// Preparation: MakeSpacing.
 class Spacing
 {

@@ -441,7 +441,7 @@ SpacingOptions FollowPreserved(SpacingOptions spacing, const Domain& rest, Monit
       rim.IsEmbedded[rest.Ends[segment]] = 0;
     }
   }
-  if (spacing.Uniform == 0.0 && !spacing.Grid && !spacing.Triangulation && !spacing.Segments)
+  if (spacing.Uniform == 0.0 && spacing.Sources.empty())
   {
     spacing.Uniform = DefaultShareOfDiagonal * rest.Bounds.Diagonal();
   }

@@ -118,17 +118,11 @@ BitingMeshOptions WithLowerOfSides(const BitingMeshOptions& options, const Domai
   {
     return result;
   }
-  if (spacing.Segments)
-  {
-    auto all = std::make_shared<SegmentSource>(*spacing.Segments);
-    all->Add(*lower);
-    lower = std::move(all);
-  }
-  else if (spacing.Uniform == 0.0 && !spacing.Grid && !spacing.Triangulation)
+  if (spacing.Uniform == 0.0 && spacing.Sources.empty())
   {
     spacing.Uniform = f.BeforeFeatures(domain.Vertices.front()) / spacing.Scale;
   }
-  spacing.Segments = std::move(lower);
+  spacing.Sources.emplace_back(std::move(lower));
   return result;
 }
 

@@ -5,7 +5,7 @@
 
 #include "../Base/PartOfStage.h"
 #include "../Base/Pulse.h"
-#include "../Spacing/SegmentExtension.h"
+#include "../Spacing/SegmentCone.h"
 #include "../Spacing/SourceCheck.h"
 
 #include <algorithm> // for min, transform
@@ -29,26 +29,22 @@ bool IsValid(const SpacingOptions& spacing, Monitor& monitor)
   return CheckSpacing(spacing, problems, monitor);
 }
 
-template <typename Source>
-void ScaleValues(double scale, std::shared_ptr<const Source>& source)
-{
-  if (source)
-  {
-    auto scaled = std::make_shared<Source>(*source);
-    std::transform(scaled->Values.begin(), scaled->Values.end(), scaled->Values.begin(),
-      [scale](double value) { return scale * value; });
-    source = std::move(scaled);
-  }
-}
-
 void ApplyScale(SpacingOptions& spacing)
 {
   if (spacing.Scale != 1.0)
   {
+    const auto scaled = [scale = spacing.Scale](const auto& source) -> GivenSource
+    {
+      auto copy = std::make_shared<std::decay_t<decltype(*source)>>(*source);
+      std::transform(copy->Values.begin(), copy->Values.end(), copy->Values.begin(),
+        [scale](double value) { return scale * value; });
+      return copy;
+    };
     spacing.Uniform = std::min(spacing.Scale * spacing.Uniform, std::numeric_limits<double>::max());
-    ScaleValues(spacing.Scale, spacing.Grid);
-    ScaleValues(spacing.Scale, spacing.Triangulation);
-    ScaleValues(spacing.Scale, spacing.Segments);
+    for (GivenSource& source : spacing.Sources)
+    {
+      source = std::visit(scaled, source);
+    }
     spacing.Scale = 1.0;
   }
 }
@@ -80,8 +76,7 @@ void AddPoint(const Point2& point, double value, SegmentSource& source)
 // Whether anything but the lengths can make the spacing small.
 bool IsAsked(const SpacingOptions& spacing)
 {
-  return spacing.Uniform > 0.0 || spacing.Maximum > 0.0 || spacing.Grid || spacing.Triangulation ||
-    spacing.Segments;
+  return spacing.Uniform > 0.0 || spacing.Maximum > 0.0 || !spacing.Sources.empty();
 }
 
 // Points only: between them L may be lower than on a straight line.
@@ -117,8 +112,7 @@ std::shared_ptr<const SegmentSource> MakeFloor(
 
 } // namespace
 
-// The points of a source that is there already keep their numbers: messages tell them. What is
-// refused anyway is left as it is.
+// What is refused anyway is left as it is.
 SpacingOptions FollowSegments(SpacingOptions spacing, const Domain& domain, Monitor& monitor)
 {
   PartOfStage checking(monitor, 0.0, CheckEnd);
@@ -133,12 +127,7 @@ SpacingOptions FollowSegments(SpacingOptions spacing, const Domain& domain, Moni
   PartOfStage raising(monitor, CheckEnd, 1.0);
   spacing.Floor =
     IsAsked(spacing) ? MakeFloor(*lengths, domain, spacing.Gradation, raising) : nullptr;
-  if (spacing.Segments)
-  {
-    lengths = std::make_shared<SegmentSource>(*spacing.Segments);
-    AddLengths(domain, *lengths);
-  }
-  spacing.Segments = std::move(lengths);
+  spacing.Sources.emplace_back(std::move(lengths));
   return spacing;
 }
 

@@ -40,7 +40,7 @@ SpacingOptions Jump(double first, double last)
   grid->Values = { first, last };
   SpacingOptions options;
   options.Gradation = 0.0;
-  options.Grid = grid;
+  options.Sources.emplace_back(grid);
   return options;
 }
 
@@ -146,7 +146,7 @@ TEST(EdgeDivider, TakesFewStepsWhereTheSpacingFallsToNearlyNothing)
     grid->Values = { 0.1, least, 0.1, 0.1, least };
     SpacingOptions options;
     options.Gradation = 0.0;
-    options.Grid = grid;
+    options.Sources.emplace_back(grid);
     const Spacing spacing = SpacingAroundUnitSquare(options);
     StoppingMonitor monitor(100);
     Pulse pulse(monitor);

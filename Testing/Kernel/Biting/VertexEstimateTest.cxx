@@ -61,7 +61,7 @@ SpacingOptions JumpFrom(double coarse, double fine)
   grid->YNodes = { 0.0, 1.0 };
   grid->Values = { coarse, coarse, fine, fine, coarse, coarse, fine, fine };
   SpacingOptions options;
-  options.Grid = grid;
+  options.Sources.emplace_back(grid);
   options.Gradation = 0.0;
   return options;
 }

@@ -65,7 +65,7 @@ MeshRun RunWithValueAtOnePoint(double value)
   segments->Values = { value, 0.2, 0.2, 0.2 };
   segments->Segments = { 0, 1, 1, 2, 2, 3, 3, 0 };
   BitingMeshOptions options;
-  options.Spacing.Segments = segments;
+  options.Spacing.Sources.emplace_back(segments);
   options.Spacing.Gradation = 5.0;
   options.MaximumNumberOfVertices = 100000;
   return RunMesh(builder.Lines(), options);

@@ -131,7 +131,7 @@ TEST(Progress, AbortAtAnyCallLeavesNoMeshWithBoundaryValues)
 {
   const Polylines loop = PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, 60)).Lines();
   BitingMeshOptions options;
-  options.Spacing.Segments = BoundaryValues(loop);
+  options.Spacing.Sources.emplace_back(BoundaryValues(loop));
   ExpectAbortEverywhere(loop, options);
 }
 
@@ -145,7 +145,7 @@ TEST(Progress, AbortAtAnyCallLeavesNoMeshWhereTheForecastIsAsked)
   {
     values->Values[k] = 1e-6;
   }
-  options.Spacing.Segments = values;
+  options.Spacing.Sources.emplace_back(values);
   options.MaximumNumberOfVertices = 1000;
   for (int calls = 0;; calls += 7)
   {
@@ -278,7 +278,7 @@ TEST(Progress, IsToldMoreOftenTheMoreNodesAGridHas)
     grid->Values.assign(count * count, 0.1);
     grid->Values[count] = 0.05;
     BitingMeshOptions options;
-    options.Spacing.Grid = grid;
+    options.Spacing.Sources.emplace_back(grid);
     monitors.push_back(Watch(Drawing(24), options));
   }
   ExpectGrowth(SpacingStage, monitors[0], monitors[1]);
@@ -297,7 +297,7 @@ TEST(Progress, IsToldMoreOftenTheMoreTrianglesASourceHas)
     source->Values.assign(source->Points.size(), 0.1);
     source->Values.back() = 0.05;
     BitingMeshOptions options;
-    options.Spacing.Triangulation = source;
+    options.Spacing.Sources.emplace_back(source);
     monitors.push_back(Watch(Drawing(24), options));
   }
   ExpectGrowth(SpacingStage, monitors[0], monitors[1]);
@@ -310,7 +310,7 @@ TEST(Progress, IsToldMoreOftenTheMoreBoundaryValuesThereAre)
   {
     const Polylines loop = PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, count)).Lines();
     BitingMeshOptions options;
-    options.Spacing.Segments = BoundaryValues(loop);
+    options.Spacing.Sources.emplace_back(BoundaryValues(loop));
     monitors.push_back(Watch(loop, options));
   }
   ExpectGrowth(SpacingStage, monitors[0], monitors[1]);

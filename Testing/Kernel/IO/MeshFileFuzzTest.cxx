@@ -16,7 +16,7 @@ namespace biting
 namespace
 {
 
-constexpr unsigned NumberOfFiles = 12; // of each format: 80,000 cases
+constexpr unsigned NumberOfFiles = 12; // of each format and dimension: 150,000 cases
 
 struct ReadFile
 {
@@ -43,12 +43,22 @@ std::vector<std::int64_t> NumbersOf(
   return numbers;
 }
 
+template <typename Cells>
+bool AreAlike(const Cells& cells, const std::vector<std::vector<std::int64_t>>& others)
+{
+  return std::equal(cells.begin(), cells.end(), others.begin(), others.end(),
+    [](const auto& cell, const auto& other)
+    { return std::equal(cell.begin(), cell.end(), other.begin(), other.end()); });
+}
+
 bool IsModel(const MeshFile& mesh, const MeshModel& model)
 {
   return mesh.Points == model.Points && mesh.Depths == model.Depths &&
-    mesh.Triangles == model.Triangles && mesh.Edges == model.Edges &&
-    NumbersOf(mesh.RegionOfTriangle, mesh.Regions) == model.Regions &&
-    NumbersOf(mesh.TagOfEdge, mesh.Tags) == model.Tags;
+    WithCells(mesh,
+      [&model](const auto& sides, const auto& cells)
+      { return AreAlike(cells, model.Cells) && AreAlike(sides, model.Sides); }) &&
+    NumbersOf(mesh.RegionOfCell, mesh.Regions) == model.Regions &&
+    NumbersOf(mesh.TagOfSide, mesh.Tags) == model.Tags;
 }
 
 template <typename Cells>
@@ -66,9 +76,14 @@ bool AreCells(const Cells& cells, const MeshFile& mesh)
 
 bool IsMesh(const MeshFile& mesh)
 {
-  return !mesh.Triangles.empty() && AreCells(mesh.Triangles, mesh) && AreCells(mesh.Edges, mesh) &&
-    NumbersOf(mesh.RegionOfTriangle, mesh.Regions).size() == mesh.Triangles.size() &&
-    NumbersOf(mesh.TagOfEdge, mesh.Tags).size() == mesh.Edges.size() &&
+  return WithCells(mesh,
+           [&mesh](const auto& sides, const auto& cells)
+           {
+             return !cells.empty() && AreCells(cells, mesh) && AreCells(sides, mesh) &&
+               mesh.RegionOfCell.size() == cells.size() && mesh.TagOfSide.size() == sides.size();
+           }) &&
+    NumbersOf(mesh.RegionOfCell, mesh.Regions).size() == mesh.NumberOfCells() &&
+    NumbersOf(mesh.TagOfSide, mesh.Tags).size() == mesh.TagOfSide.size() &&
     (mesh.Depths.empty() || mesh.Depths.size() == mesh.Points.size());
 }
 
@@ -105,8 +120,10 @@ void ForFiles(const Test& test)
 {
   for (unsigned seed = 1; seed <= NumberOfFiles && !::testing::Test::HasFailure(); ++seed)
   {
-    ModelFiles files(seed);
-    for (const ModelFile& file : { files.Gmsh2(), files.Gmsh4(), files.SU2(), files.ADCIRC() })
+    ModelFiles files(seed, 2);
+    ModelFiles solids(seed, 3);
+    for (const ModelFile& file : { files.Gmsh2(), files.Gmsh4(), files.SU2(), files.ADCIRC(),
+           solids.Gmsh2(), solids.Gmsh4(), solids.SU2() })
     {
       test(file, seed);
     }
@@ -143,7 +160,7 @@ TEST(MeshFileFuzz, FilesThatAreCutAnywhereAreErrors)
       const std::size_t last = file.Lines.size() - 1;
       const std::size_t end = file.TextTo(last, file.Lines.back().size() - file.Rest).size();
       MeshModel cut = file.Model;
-      cut.Edges.clear();
+      cut.Sides.clear();
       cut.Tags.clear();
       const std::size_t optional = file.FirstOptional;
       const std::size_t begin = optional > 0 ? file.TextTo(optional, 0).size() : text.size();

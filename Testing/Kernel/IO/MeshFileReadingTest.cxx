@@ -40,7 +40,7 @@ struct Reading
   std::vector<std::int64_t> Regions() const
   {
     std::vector<std::int64_t> numbers;
-    for (const std::size_t region : this->Mesh.RegionOfTriangle)
+    for (const std::size_t region : this->Mesh.RegionOfCell)
     {
       numbers.push_back(this->Mesh.Regions[region].Number);
     }
@@ -50,7 +50,7 @@ struct Reading
   std::vector<std::int64_t> Tags() const
   {
     std::vector<std::int64_t> numbers;
-    for (const std::size_t tag : this->Mesh.TagOfEdge)
+    for (const std::size_t tag : this->Mesh.TagOfSide)
     {
       numbers.push_back(this->Mesh.Tags[tag].Number);
     }

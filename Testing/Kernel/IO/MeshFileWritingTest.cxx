@@ -42,7 +42,7 @@ MeshFile LatticeOf(
       }
     }
   }
-  mesh.RegionOfTriangle.assign(mesh.Triangles.size(), 0);
+  mesh.RegionOfCell.assign(mesh.Triangles.size(), 0);
   mesh.Regions = { { 1, "" } };
   for (const std::string& name : tags)
   {
@@ -55,7 +55,7 @@ MeshFile LatticeOf(
     for (std::size_t k = 1; k < path.Vertices.size(); ++k)
     {
       mesh.Edges.push_back({ path.Vertices[k - 1], path.Vertices[k] });
-      mesh.TagOfEdge.push_back(tagOf(loop, k - 1));
+      mesh.TagOfSide.push_back(tagOf(loop, k - 1));
     }
     ++loop;
   }
@@ -91,12 +91,12 @@ std::string ExpectEdgesBack(const MeshFile& mesh)
   std::map<std::array<std::int64_t, 2>, bool> expected;
   for (std::size_t k = 0; k < mesh.Edges.size(); ++k)
   {
-    expected[Sorted(mesh.Edges[k])] = mesh.TagOfEdge[k] == 0;
+    expected[Sorted(mesh.Edges[k])] = mesh.TagOfSide[k] == 0;
   }
   std::map<std::array<std::int64_t, 2>, bool> found;
   for (std::size_t k = 0; k < back.Edges.size(); ++k)
   {
-    found[Sorted(back.Edges[k])] = back.Tags[back.TagOfEdge[k]].Number == 1;
+    found[Sorted(back.Edges[k])] = back.Tags[back.TagOfSide[k]].Number == 1;
   }
   EXPECT_EQ(back.Edges.size(), mesh.Edges.size());
   EXPECT_EQ(found, expected);
@@ -182,9 +182,9 @@ TEST(MeshFileWriting, ClockwiseTrianglesAreTurned)
   }
   OrientUpwards(mesh);
   EXPECT_EQ(mesh.Triangles, wanted);
-  EXPECT_TRUE(IsBoundaryOfLoops(mesh));
+  EXPECT_TRUE(IsBoundaryClosed(mesh));
   mesh.Triangles.push_back(mesh.Triangles.front());
-  EXPECT_FALSE(IsBoundaryOfLoops(mesh));
+  EXPECT_FALSE(IsBoundaryClosed(mesh));
 }
 
 TEST(MeshFileWriting, OpenTagsAreWordsOrTagsWithBlanksAndCommas)
@@ -204,7 +204,7 @@ TEST(MeshFileWriting, EdgesWithoutATagAreAMarkerOfTheirOwn)
 {
   MeshFile mesh = Lattice({ "boundary", "wall" }, [](std::size_t, std::size_t k) { return k % 2; });
   mesh.Edges.pop_back();
-  mesh.TagOfEdge.pop_back();
+  mesh.TagOfSide.pop_back();
   std::stringstream stream;
   WriteSU2(mesh, stream);
   MeshFile back;
@@ -222,13 +222,13 @@ TEST(MeshFileWriting, SMSHasDepthsMaterialsAndEachTaggedEdgeOnce)
       { return (i == 0 && j == 0) || random() % 3 > 0; },
       Tags, [&random](std::size_t, std::size_t) { return random() % 8 == 0 ? 1 : 0; });
     mesh.Edges.push_back({ mesh.Triangles[0][0], mesh.Triangles[0][2] }); // an interface
-    mesh.TagOfEdge.push_back(1);
+    mesh.TagOfSide.push_back(1);
     mesh.Regions = { { 3, "the sand" }, { 7, "" } };
-    for (std::size_t& region : mesh.RegionOfTriangle)
+    for (std::size_t& region : mesh.RegionOfCell)
     {
       region = random() % 2;
     }
-    mesh.RegionOfTriangle[0] = 0;
+    mesh.RegionOfCell[0] = 0;
     for (std::size_t k = 0; k < mesh.Points.size(); ++k)
     {
       mesh.Depths.push_back(k == 0 ? 0.0 : 0.1 * double(random() % 1000) - 30.0);
@@ -244,19 +244,19 @@ TEST(MeshFileWriting, SMSHasDepthsMaterialsAndEachTaggedEdgeOnce)
     EXPECT_EQ(back.Triangles, mesh.Triangles);
     for (std::size_t k = 0; k < mesh.Triangles.size(); ++k)
     {
-      const MeshGroup& region = back.Regions[back.RegionOfTriangle[k]];
-      EXPECT_EQ(region.Number, mesh.Regions[mesh.RegionOfTriangle[k]].Number);
-      EXPECT_EQ(region.Name, mesh.Regions[mesh.RegionOfTriangle[k]].Name);
+      const MeshGroup& region = back.Regions[back.RegionOfCell[k]];
+      EXPECT_EQ(region.Number, mesh.Regions[mesh.RegionOfCell[k]].Number);
+      EXPECT_EQ(region.Name, mesh.Regions[mesh.RegionOfCell[k]].Name);
     }
     std::map<std::array<std::int64_t, 2>, std::int64_t> expected;
     std::map<std::array<std::int64_t, 2>, std::int64_t> found;
     for (std::size_t k = 0; k < mesh.Edges.size(); ++k)
     {
-      expected[Sorted(mesh.Edges[k])] = mesh.Tags[mesh.TagOfEdge[k]].Number;
+      expected[Sorted(mesh.Edges[k])] = mesh.Tags[mesh.TagOfSide[k]].Number;
     }
     for (std::size_t k = 0; k < back.Edges.size(); ++k)
     {
-      found[Sorted(back.Edges[k])] = back.Tags[back.TagOfEdge[k]].Number;
+      found[Sorted(back.Edges[k])] = back.Tags[back.TagOfSide[k]].Number;
     }
     EXPECT_EQ(back.Edges.size(), mesh.Edges.size());
     EXPECT_EQ(found, expected);

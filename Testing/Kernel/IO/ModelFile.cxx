@@ -42,21 +42,31 @@ FileVerdict VerdictOf(const Cells& cells, std::size_t changed)
                                                                    : FileVerdict::Mesh;
 }
 
+// By dimension.
+constexpr std::size_t TypesInGmsh[] = { 15, 1, 2, 4 };
+constexpr std::size_t TypesInSU2[] = { 1, 3, 5, 10 };
+
 } // namespace
 
 void ModelFiles::MakeFan(std::int64_t firstNumber)
 {
   this->Model = MeshModel();
   const auto size = static_cast<std::int64_t>(3 + this->Below(5));
-  this->Model.Numbers.resize(static_cast<std::size_t>(size) + 1);
+  const std::int64_t apex = size + 1;
+  this->Model.Numbers.resize(static_cast<std::size_t>(size) + this->Dimension - 1);
   std::iota(this->Model.Numbers.begin(), this->Model.Numbers.end(), firstNumber);
   this->Model.Points.resize(this->Model.Numbers.size());
   this->Model.Depths.resize(this->Model.Numbers.size());
   for (std::int64_t k = 0; k < size; ++k)
   {
     const std::int64_t next = (k + 1) % size;
-    this->Model.Triangles.push_back({ 0, 1 + k, 1 + next });
-    this->Model.Edges.push_back({ 1 + k, 1 + next });
+    this->Model.Cells.push_back({ 0, 1 + k, 1 + next });
+    this->Model.Sides.push_back({ 1 + k, 1 + next });
+    if (this->Dimension == 3)
+    {
+      this->Model.Cells.back().push_back(apex);
+      this->Model.Sides.back().push_back(apex);
+    }
     this->Model.Regions.push_back(2 * k < size - 1 ? 3 : 4);
     this->Model.Tags.push_back(2 * k < size - 1 ? 1 : 2);
   }
@@ -112,16 +122,32 @@ FileWord ModelFiles::Number(std::size_t point) const
   return { std::to_string(this->Model.Numbers[point]), nullptr };
 }
 
-FileWord ModelFiles::Corner(std::size_t triangle, std::size_t corner) const
+FileWord ModelFiles::Corner(std::size_t cell, std::size_t corner) const
 {
-  const auto vertex = static_cast<std::size_t>(this->Model.Triangles[triangle][corner]);
+  const auto vertex = static_cast<std::size_t>(this->Model.Cells[cell][corner]);
   return { this->Number(vertex).Text,
-    [triangle, corner](MeshModel& model, const std::string& text)
+    [cell, corner](MeshModel& model, const std::string& text)
     {
       const std::int64_t other = VertexOf(model, text);
-      model.Triangles[triangle][corner] = other;
-      return other < 0 ? FileVerdict::Error : VerdictOf(model.Triangles, triangle);
+      model.Cells[cell][corner] = other;
+      return other < 0 ? FileVerdict::Error : VerdictOf(model.Cells, cell);
     } };
+}
+
+void ModelFiles::AddCorners(std::size_t cell, Words& words) const
+{
+  for (std::size_t corner = 0; corner <= this->Dimension; ++corner)
+  {
+    words.push_back(this->Corner(cell, corner));
+  }
+}
+
+void ModelFiles::AddEnds(std::size_t side, Words& words) const
+{
+  for (std::size_t end = 0; end < this->Dimension; ++end)
+  {
+    words.push_back(this->End(this->Model.Sides[side][end], { { side, end } }));
+  }
 }
 
 FileWord ModelFiles::End(std::int64_t vertex, std::vector<std::array<std::size_t, 2>> places) const
@@ -133,11 +159,11 @@ FileWord ModelFiles::End(std::int64_t vertex, std::vector<std::array<std::size_t
       FileVerdict verdict = other < 0 ? FileVerdict::Error : FileVerdict::Mesh;
       for (const auto& place : places)
       {
-        model.Edges[place[0]][place[1]] = other;
+        model.Sides[place[0]][place[1]] = other;
       }
       for (const auto& place : places)
       {
-        const FileVerdict own = VerdictOf(model.Edges, place[0]);
+        const FileVerdict own = VerdictOf(model.Sides, place[0]);
         verdict = verdict == FileVerdict::Mesh || own == FileVerdict::Error ? own : verdict;
       }
       return verdict;
@@ -163,7 +189,7 @@ ModelFile ModelFiles::Gmsh2()
   ModelFile file{ "Gmsh 2.2", ReadGmsh, {}, {}, 0, 0, FileVerdict::Error };
   auto& lines = file.Lines;
   const std::size_t size = this->Model.Points.size();
-  const std::size_t cells = this->Model.Triangles.size();
+  const std::size_t cells = this->Model.Cells.size();
   lines = { AllFixed("$MeshFormat"), { { "2.2", nullptr }, Fixed(0), AllFree("8")[0] },
     AllFixed("$EndMeshFormat"), AllFixed("$Nodes"), { Fixed(size) } };
   for (std::size_t k = 0; k < size; ++k)
@@ -173,13 +199,12 @@ ModelFile ModelFiles::Gmsh2()
   lines.insert(lines.end(), { AllFixed("$EndNodes"), AllFixed("$Elements"), { Fixed(2 * cells) } });
   for (std::size_t k = 0; k < cells; ++k)
   {
-    lines.push_back(
-      { Any(k + 1), Any(1, FileVerdict::Said), Fixed(2), this->Group(&MeshModel::Tags, k, k + 1),
-        Any(9), this->End(this->Model.Edges[k][0], { { k, 0 } }),
-        this->End(this->Model.Edges[k][1], { { k, 1 } }) });
-    lines.push_back(
-      { Any(k + 1), Any(2, FileVerdict::Said), Fixed(2), this->Group(&MeshModel::Regions, k, k + 1),
-        Any(9), this->Corner(k, 0), this->Corner(k, 1), this->Corner(k, 2) });
+    lines.push_back({ Any(k + 1), Any(TypesInGmsh[this->Dimension - 1], FileVerdict::Said),
+      Fixed(2), this->Group(&MeshModel::Tags, k, k + 1), Any(9) });
+    this->AddEnds(k, lines.back());
+    lines.push_back({ Any(k + 1), Any(TypesInGmsh[this->Dimension], FileVerdict::Said), Fixed(2),
+      this->Group(&MeshModel::Regions, k, k + 1), Any(9) });
+    this->AddCorners(k, lines.back());
   }
   lines.push_back(AllFixed("$EndElements"));
   this->Model.Depths.clear();
@@ -194,18 +219,20 @@ ModelFile ModelFiles::Gmsh4()
   ModelFile file{ "Gmsh 4.1", ReadGmsh, {}, {}, 0, 0, FileVerdict::Error };
   auto& lines = file.Lines;
   const std::size_t size = this->Model.Points.size();
-  const std::size_t cells = this->Model.Triangles.size();
+  const std::size_t cells = this->Model.Cells.size();
   const std::size_t ends[] = { 0, cells / 2, cells };
   lines = { AllFixed("$MeshFormat"), { { "4.1", nullptr }, Fixed(0), AllFree("8")[0] },
-    AllFixed("$EndMeshFormat"), AllFixed("$Entities"), { Fixed(0), Fixed(2), Fixed(2), Fixed(0) } };
-  for (const std::size_t dimension : { 1, 2 })
+    AllFixed("$EndMeshFormat"), AllFixed("$Entities"),
+    this->Dimension == 2 ? Words{ Fixed(0), Fixed(2), Fixed(2), Fixed(0) }
+                         : Words{ Fixed(0), Fixed(0), Fixed(2), Fixed(2) } };
+  for (const std::size_t dimension : { this->Dimension - 1, this->Dimension })
   {
     for (std::size_t part = 0; part < 2; ++part)
     {
       const Words words{ Fixed(part + 5), Any(0), Any(0), Any(0), Any(1), Any(1), Any(0),
         Any(1, FileVerdict::Unknown),
-        this->Group(
-          dimension == 1 ? &MeshModel::Tags : &MeshModel::Regions, ends[part], ends[part + 1]),
+        this->Group(dimension < this->Dimension ? &MeshModel::Tags : &MeshModel::Regions,
+          ends[part], ends[part + 1]),
         Fixed(0) };
       lines.push_back(words);
     }
@@ -225,18 +252,17 @@ ModelFile ModelFiles::Gmsh4()
   lines.insert(lines.end(),
     { AllFixed("$EndNodes"), AllFixed("$Elements"),
       { Fixed(4), Fixed(2 * cells), AllFree("1")[0], AllFree("99")[0] } });
-  for (const std::size_t dimension : { 1, 2 })
+  for (const std::size_t dimension : { this->Dimension - 1, this->Dimension })
   {
     for (std::size_t part = 0; part < 2; ++part)
     {
       lines.push_back({ Fixed(dimension), Any(part + 5, FileVerdict::Unknown),
-        Any(dimension, FileVerdict::Said), Fixed(ends[part + 1] - ends[part]) });
+        Any(TypesInGmsh[dimension], FileVerdict::Said), Fixed(ends[part + 1] - ends[part]) });
       for (std::size_t k = ends[part]; k < ends[part + 1]; ++k)
       {
-        lines.push_back(dimension == 1
-            ? Words{ Any(k), this->End(this->Model.Edges[k][0], { { k, 0 } }),
-                this->End(this->Model.Edges[k][1], { { k, 1 } }) }
-            : Words{ Any(k), this->Corner(k, 0), this->Corner(k, 1), this->Corner(k, 2) });
+        lines.push_back({ Any(k) });
+        dimension < this->Dimension ? this->AddEnds(k, lines.back())
+                                    : this->AddCorners(k, lines.back());
       }
     }
   }
@@ -252,27 +278,32 @@ ModelFile ModelFiles::SU2()
   ModelFile file{ "SU2", ReadSU2, {}, {}, 0, 0, FileVerdict::Error };
   auto& lines = file.Lines;
   const std::size_t size = this->Model.Points.size();
-  const std::size_t cells = this->Model.Triangles.size();
+  const std::size_t cells = this->Model.Cells.size();
   const bool haveNumbers = this->Below(2) == 0;
-  const auto addNumber = [haveNumbers](Words words, std::size_t number)
+  const auto addNumber = [haveNumbers, &lines](std::size_t number)
   {
     if (haveNumbers)
     {
-      words.push_back(Any(number));
+      lines.back().push_back(Any(number));
     }
-    return words;
   };
-  lines = { { { "NDIME=", nullptr }, Fixed(2) }, { { "NELEM=", nullptr }, Fixed(cells) } };
+  lines = { { { "NDIME=", nullptr }, Fixed(this->Dimension) },
+    { { "NELEM=", nullptr }, Fixed(cells) } };
   for (std::size_t k = 0; k < cells; ++k)
   {
-    lines.push_back(addNumber(
-      { Any(5, FileVerdict::Unknown), this->Corner(k, 0), this->Corner(k, 1), this->Corner(k, 2) },
-      k));
+    lines.push_back({ Any(TypesInSU2[this->Dimension], FileVerdict::Unknown) });
+    this->AddCorners(k, lines.back());
+    addNumber(k);
   }
   lines.push_back({ { "NPOIN=", nullptr }, Fixed(size) });
   for (std::size_t k = 0; k < size; ++k)
   {
-    lines.push_back(addNumber({ this->Place(k, 0), this->Place(k, 1) }, k));
+    lines.push_back({ this->Place(k, 0), this->Place(k, 1) });
+    if (this->Dimension == 3)
+    {
+      lines.back().push_back(this->Place(k, 2));
+    }
+    addNumber(k);
   }
   lines.push_back({ { "NMARK=", nullptr }, Fixed(2) });
   const std::size_t ends[] = { 0, cells / 2, cells };
@@ -282,10 +313,9 @@ ModelFile ModelFiles::SU2()
     lines.push_back({ { "MARKER_ELEMS=", nullptr }, Fixed(ends[part + 1] - ends[part]) });
     for (std::size_t k = ends[part]; k < ends[part + 1]; ++k)
     {
-      lines.push_back(
-        addNumber({ Any(3, FileVerdict::Unknown), this->End(this->Model.Edges[k][0], { { k, 0 } }),
-                    this->End(this->Model.Edges[k][1], { { k, 1 } }) },
-          k));
+      lines.push_back({ Any(TypesInSU2[this->Dimension - 1], FileVerdict::Unknown) });
+      this->AddEnds(k, lines.back());
+      addNumber(k);
     }
   }
   file.Rest = haveNumbers ? 1 : 0;
@@ -303,7 +333,7 @@ ModelFile ModelFiles::ADCIRC()
   ModelFile file{ "ADCIRC", ReadADCIRC, {}, {}, 0, 0, FileVerdict::Said };
   auto& lines = file.Lines;
   const std::size_t size = this->Model.Points.size();
-  const std::size_t cells = this->Model.Triangles.size();
+  const std::size_t cells = this->Model.Cells.size();
   const FileVerdict said = FileVerdict::Said;
   lines = { AllFree("a grid"), { Any(cells, said), Any(size, said) } };
   for (std::size_t k = 0; k < size; ++k)
@@ -341,7 +371,7 @@ ModelFile ModelFiles::ADCIRC()
       {
         places.push_back({ k, 0 });
       }
-      lines.push_back({ this->End(this->Model.Edges[places[0][0]][places[0][1]], places) });
+      lines.push_back({ this->End(this->Model.Sides[places[0][0]][places[0][1]], places) });
     }
   }
   std::fill(this->Model.Regions.begin(), this->Model.Regions.end(), 0);

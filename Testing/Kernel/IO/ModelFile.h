@@ -24,9 +24,9 @@ struct MeshModel
 {
   std::vector<std::array<double, 3>> Points;
   std::vector<double> Depths;
-  std::vector<std::array<std::int64_t, 3>> Triangles;
+  std::vector<std::vector<std::int64_t>> Cells; // triangles or tetrahedra
   std::vector<std::int64_t> Regions;
-  std::vector<std::array<std::int64_t, 2>> Edges;
+  std::vector<std::vector<std::int64_t>> Sides; // edges or triangles
   std::vector<std::int64_t> Tags;
   std::vector<std::int64_t> Numbers; // of the points, in the file
 };
@@ -93,12 +93,13 @@ inline bool IsRealText(const std::string& text)
 }
 
 /// Makes files of a fan of three to seven triangles in two regions, around which edges have two
-/// tags.
+/// tags; in three dimensions of the tetrahedra and triangles between these and one more vertex.
 class ModelFiles
 {
 public:
-  explicit ModelFiles(unsigned seed)
+  ModelFiles(unsigned seed, std::size_t dimension)
     : Random(seed)
+    , Dimension(dimension)
   {
   }
 
@@ -121,12 +122,15 @@ private:
   static Words AllFree(const std::string& text);
   FileWord Place(std::size_t point, std::size_t axis, bool isFortran = false);
   FileWord Number(std::size_t point) const;
-  FileWord Corner(std::size_t triangle, std::size_t corner) const;
+  FileWord Corner(std::size_t cell, std::size_t corner) const;
+  void AddCorners(std::size_t cell, Words& words) const;
+  void AddEnds(std::size_t side, Words& words) const;
   FileWord End(std::int64_t vertex, std::vector<std::array<std::size_t, 2>> places) const;
   FileWord Group(
     std::vector<std::int64_t> MeshModel::*groups, std::size_t first, std::size_t end) const;
 
   std::mt19937 Random;
+  std::size_t Dimension;
   MeshModel Model;
 };
 

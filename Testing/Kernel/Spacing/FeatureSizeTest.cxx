@@ -407,8 +407,7 @@ TEST(FeatureLimit, FindsANarrowPlaceInTheMiddleOfLongSegments)
 /// What is that fine will be refused: the limit may be left out, but not searched for without end.
 TEST(FeatureLimit, IsNotSearchedForBeyondTheWantedNumberOfPieces)
 {
-  SpacingOptions options;
-  options.Grid = Share(MakeGrid(3, 3, [](const Point2& x) { return 1e-9 + 1e-9 * x.X; }));
+  SpacingOptions options = With(MakeGrid(3, 3, [](const Point2& x) { return 1e-9 + 1e-9 * x.X; }));
   FeatureSource features =
     Loops({ Rectangle(0.0, 0.0, 1.0, 1.0), Rectangle(0.0, 1.0 + 1e-10, 1.0, 2.0) });
   features.MostPieces = 5000.0;
@@ -465,8 +464,7 @@ TEST(FeatureLimit, IsLipschitz)
 
 TEST(FeatureLimit, FollowsWhatIsGiven)
 {
-  SpacingOptions options;
-  options.Grid = Share(MakeGrid(20, 20, [](const Point2& x) { return 0.02 + 0.2 * x.X; }));
+  SpacingOptions options = With(MakeGrid(20, 20, [](const Point2& x) { return 0.02 + 0.2 * x.X; }));
   options.Features = Share(Loops({ Rectangle(0.0, 0.0, 1.0, 0.1) }));
   const Spacing f = MakeGoodSpacing(options);
   EXPECT_NEAR(f({ 0.1, 0.0 }), 0.04, 1e-3);
@@ -475,9 +473,9 @@ TEST(FeatureLimit, FollowsWhatIsGiven)
 
 TEST(FeatureLimit, IsNotInTheSpacingBeforeFeatures)
 {
-  SpacingOptions options;
-  options.Segments = Share(MakeScatter(40, 0.3, 3));
-  options.Grid = Share(MakeGrid(20, 20, [](const Point2& x) { return 0.02 + 0.2 * x.X; }));
+  SpacingOptions options = With(MakeScatter(40, 0.3, 3));
+  options.Sources.emplace_back(
+    Share(MakeGrid(20, 20, [](const Point2& x) { return 0.02 + 0.2 * x.X; })));
   const Spacing without = MakeGoodSpacing(options);
   options.Features = Share(Loops({ Rectangle(0.0, 0.0, 1.0, 0.02) }));
   const Spacing f = MakeGoodSpacing(options);
@@ -494,8 +492,7 @@ TEST(FeatureLimit, IsNotInTheSpacingBeforeFeatures)
 
 TEST(FeatureLimit, IsNoPartOfASpacingWithoutFeatures)
 {
-  SpacingOptions options;
-  options.Segments = Share(MakeScatter(40, 0.3, 3));
+  SpacingOptions options = With(MakeScatter(40, 0.3, 3));
   const Spacing f = MakeGoodSpacing(options);
   EXPECT_EQ(f.BeforeFeatures({ 0.3, 0.4 }), f({ 0.3, 0.4 }));
 }

@@ -33,16 +33,12 @@ double Steep(const Point2& x)
 
 SpacingOptions OfGrid(int nodes, const Field& field, double power = 1.0)
 {
-  SpacingOptions options;
-  options.Grid = Share(MakeGrid(nodes, nodes, field, power));
-  return options;
+  return With(MakeGrid(nodes, nodes, field, power));
 }
 
 SpacingOptions OfTriangles(int nodes, const Field& field)
 {
-  SpacingOptions options;
-  options.Triangulation = Share(MakeTriangulation(nodes, field));
-  return options;
+  return With(MakeTriangulation(nodes, field));
 }
 
 /// Four in ten triangles are missing, the others are noise.
@@ -80,30 +76,6 @@ SpacingOptions WithBlocks(int nodes, double power)
   return OfGrid(nodes, field, power);
 }
 
-/// The same sources on a part of the domain.
-TriangulatedSource OnAPart(TriangulatedSource source)
-{
-  for (Point2& point : source.Points)
-  {
-    point = { 0.3 + 0.3 * point.X, 0.2 + 0.4 * point.Y };
-  }
-  return source;
-}
-
-SpacingOptions OnAPart(const SpacingOptions& options)
-{
-  GridSource grid = *options.Grid;
-  for (double& x : grid.XNodes)
-  {
-    x = 0.3 + 0.3 * x;
-  }
-  for (double& y : grid.YNodes)
-  {
-    y = 0.2 + 0.4 * y;
-  }
-  return WithGrid(grid);
-}
-
 /// A sheet of low values on one of high ones: the smallest value counts.
 SpacingOptions OfSheets()
 {
@@ -113,7 +85,7 @@ SpacingOptions OfSheets()
   source.Values.insert(source.Values.end(), { 0.01, 0.02, 0.03 });
   source.Triangles.insert(source.Triangles.end(), { first, first + 1, first + 2 });
   source.MayOverlap = true;
-  return WithTriangles(source);
+  return With(source);
 }
 
 /// A sheet of low values that lies on another one, and ends beside it.
@@ -129,7 +101,7 @@ SpacingOptions OfSheetsSideBySide()
   source.Values.insert(source.Values.end(), { 0.02, 0.04, 0.03 });
   source.Triangles.insert(source.Triangles.end(), { first, first + 1, first + 2 });
   source.MayOverlap = true;
-  return WithTriangles(source);
+  return With(source);
 }
 
 SpacingOptions Bounded(SpacingOptions options)
@@ -149,10 +121,10 @@ std::vector<Case> Cases()
     return Length(x - Point2{ 0.5, 0.5 }) < 0.35 ? NotANumber : x.X < 0.5 ? 0.01 : 0.08;
   };
   SpacingOptions both = OfGrid(17, Jump);
-  both.Segments = Share(MakeLoop(40, [](double angle) { return 0.03 + 0.02 * std::sin(angle); }));
+  both.Sources.emplace_back(
+    Share(MakeLoop(40, [](double angle) { return 0.03 + 0.02 * std::sin(angle); })));
   both.Uniform = 0.09;
-  SpacingOptions scaled;
-  scaled.Segments = Share(MakeScatter(30, 0.1, 8));
+  SpacingOptions scaled = With(MakeScatter(30, 0.1, 8));
   scaled.Scale = 2.5;
   SpacingOptions shrunk = scaled;
   shrunk.Scale = 0.5;
@@ -176,15 +148,15 @@ std::vector<Case> LawCases()
 {
   Sampler sampler(7);
   const auto noise = [&sampler](const Point2&) { return 0.02 * std::exp(2.0 * sampler.Next()); };
-  return { { "a steep grid on a part", OnAPart(OfGrid(40, Steep)) },
-    { "noise in a grid on a part", OnAPart(OfGrid(40, noise)) },
+  return { { "a steep grid on a part", With(OnAPart(MakeGrid(40, 40, Steep))) },
+    { "noise in a grid on a part", With(OnAPart(MakeGrid(40, 40, noise))) },
     { "triangles as steep as the gradation", OfTriangles(60, AroundTheMiddle(0.3)) },
     { "triangles a little steeper", OfTriangles(60, AroundTheMiddle(0.303)) },
     { "triangles steeper by a tenth", OfTriangles(60, AroundTheMiddle(0.33)) },
     { "a sheet on another and beside it", OfSheetsSideBySide() },
-    { "triangles with gaps", WithTriangles(Gappy(60, 100.0)) },
-    { "large triangles with gaps", WithTriangles(Gappy(9, 100.0)) },
-    { "noise on a part", WithTriangles(OnAPart(Gappy(20, 30.0))) } };
+    { "triangles with gaps", With(Gappy(60, 100.0)) },
+    { "large triangles with gaps", With(Gappy(9, 100.0)) },
+    { "noise on a part", With(OnAPart(Gappy(20, 30.0))) } };
 }
 
 std::vector<Case> AllCases()
@@ -197,16 +169,15 @@ std::vector<Case> AllCases()
   return all;
 }
 
+bool HasSegments(const SpacingOptions& options)
+{
+  return std::holds_alternative<std::shared_ptr<const SegmentSource>>(options.Sources.back());
+}
+
 /// What is given, without any limit.
 Spacing GivenOf(SpacingOptions options)
 {
-  if (!options.Segments)
-  {
-    options.Gradation = 0.0;
-    return MakeGoodSpacing(options);
-  }
-  options.Grid = nullptr;
-  options.Triangulation = nullptr;
+  options.Gradation = 0.0;
   return MakeGoodSpacing(options);
 }
 
@@ -228,11 +199,11 @@ std::vector<double> Refined(const std::vector<double>& nodes)
 
 std::vector<double> NodesOf(const SpacingOptions& options)
 {
-  if (options.Grid)
+  if (const auto* grid = First<GridSource>(options))
   {
-    return options.Grid->XNodes;
+    return grid->XNodes;
   }
-  const auto count = static_cast<double>(options.Triangulation->Points.size());
+  const auto count = static_cast<double>(First<TriangulatedSource>(options)->Points.size());
   return UnitNodes(static_cast<int>(std::lround(std::sqrt(count))));
 }
 
@@ -256,9 +227,9 @@ public:
         this->Points.push_back({ x, y });
       }
     }
-    if (options.Triangulation)
+    if (const auto* triangles = First<TriangulatedSource>(options))
     {
-      const std::vector<Point2>& corners = options.Triangulation->Points;
+      const std::vector<Point2>& corners = triangles->Points;
       this->Points.insert(this->Points.end(), corners.begin(), corners.end());
     }
     for (const Point2& point : this->Points)
@@ -297,7 +268,7 @@ TEST(Gradation, LeavesNothingAboveWhatIsGiven)
 {
   for (const Case& test : AllCases())
   {
-    if (!test.Options.Segments)
+    if (!HasSegments(test.Options))
     {
       const Spacing given = GivenOf(test.Options);
       const Spacing used = MakeGoodSpacing(test.Options);
@@ -338,7 +309,7 @@ TEST(Gradation, IsTheLargestFunctionBelow)
 {
   for (const Case& test : Cases())
   {
-    if (test.Options.Segments)
+    if (HasSegments(test.Options))
     {
       continue;
     }

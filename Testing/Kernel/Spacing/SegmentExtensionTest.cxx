@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Spacing/SegmentExtension.h"
+#include "Spacing/SegmentCone.h"
 
 #include "Base/Numbers.h"
 

@@ -60,7 +60,7 @@ TEST(MakeSpacing, RefusesValuesOfTheGridThatAreNoSpacing)
   {
     GridSource grid = MakeGrid(5, 3, Level);
     grid.Values[7] = bad.first;
-    ExpectRefusedValue(WithGrid(grid), 7, { 0.5, 0.5 }, bad.second);
+    ExpectRefusedValue(With(grid), 7, { 0.5, 0.5 }, bad.second);
   }
 }
 
@@ -68,8 +68,7 @@ TEST(MakeSpacing, RefusesValuesOfTrianglesThatAreNoSpacing)
 {
   TriangulatedSource source = MakeTriangulation(3, Level);
   source.Values[5] = -0.25;
-  ExpectRefusedValue(
-    WithTriangles(source), 5, { 1.0, 0.5 }, "value -0.25 in the triangulated source");
+  ExpectRefusedValue(With(source), 5, { 1.0, 0.5 }, "value -0.25 in the triangulated source");
 }
 
 TEST(MakeSpacing, RefusesValuesOfSegmentsThatAreNoSpacing)
@@ -80,7 +79,7 @@ TEST(MakeSpacing, RefusesValuesOfSegmentsThatAreNoSpacing)
     source.Values[3] = bad;
     const std::string text = std::isnan(bad) ? "nan" : bad < 0.0 ? "-1" : "0";
     ExpectRefusedValue(
-      WithSegments(source), 3, source.Points[3], "value " + text + " in the segment source");
+      With(source), 3, source.Points[3], "value " + text + " in the segment source");
   }
 }
 
@@ -89,10 +88,10 @@ TEST(MakeSpacing, ReportsEveryBadValue)
   GridSource grid = MakeGrid(5, 3, Level);
   grid.Values[2] = 0.0;
   grid.Values[9] = -1.0;
-  SpacingOptions options = WithGrid(grid);
+  SpacingOptions options = With(grid);
   SegmentSource segments = MakeLoop(8, [](double) { return 1.0; });
   segments.Values[0] = -2.0;
-  options.Segments = Share(segments);
+  options.Sources.emplace_back(Share(segments));
   options.Scale = -1.0;
   EXPECT_EQ(ProblemsOf(options).size(), 4u);
 }
@@ -100,27 +99,24 @@ TEST(MakeSpacing, ReportsEveryBadValue)
 TEST(MakeSpacing, RefusesASourceThatIsOneHole)
 {
   const auto hole = [](const Point2&) { return NotANumber; };
-  ExpectRefused(WithGrid(MakeGrid(4, 4, hole)), "every value is nan in the grid source");
-  ExpectRefused(
-    WithTriangles(MakeTriangulation(4, hole)), "every value is nan in the triangulated source");
+  ExpectRefused(With(MakeGrid(4, 4, hole)), "every value is nan in the grid source");
+  ExpectRefused(With(MakeTriangulation(4, hole)), "every value is nan in the triangulated source");
 }
 
 TEST(MakeSpacing, RefusesTriangulationsWithoutAUsableTriangle)
 {
   const TriangulatedSource points{ { { 0.0, 0.0 }, { 1.0, 0.0 } }, { 1.0, 2.0 }, {} };
-  ExpectRefused(
-    WithTriangles(points), "there are points but no triangles in the triangulated source");
+  ExpectRefused(With(points), "there are points but no triangles in the triangulated source");
   const TriangulatedSource flat{ { { 0.0, 0.0 }, { 1.0, 0.0 }, { 2.0, 0.0 } }, { 1.0, 2.0, 3.0 },
     { 0, 1, 2 } };
-  ExpectRefused(
-    WithTriangles(flat), "no triangle has an area and three values in the triangulated source");
+  ExpectRefused(With(flat), "no triangle has an area and three values in the triangulated source");
 }
 
 TEST(MakeSpacing, RefusesPositionsThatAreNotFinite)
 {
   SegmentSource source = MakeLoop(8, [](double) { return 1.0; });
   source.Points[2].Y = NotANumber;
-  const std::vector<Problem> problems = ProblemsOf(WithSegments(source));
+  const std::vector<Problem> problems = ProblemsOf(With(source));
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems.front().Ids, std::vector<std::int64_t>{ 2 });
   EXPECT_EQ(problems.front().Detail, "position in the segment source");
@@ -130,12 +126,12 @@ TEST(MakeSpacing, RefusesNodesThatDoNotAscend)
 {
   GridSource grid = MakeGrid(4, 4, Level);
   std::swap(grid.YNodes[1], grid.YNodes[2]);
-  ExpectRefused(WithGrid(grid), "y nodes do not ascend in the grid source");
+  ExpectRefused(With(grid), "y nodes do not ascend in the grid source");
   for (const double bad : { NotANumber, std::numeric_limits<double>::infinity() })
   {
     grid = MakeGrid(4, 4, Level);
     grid.XNodes.back() = bad;
-    ExpectRefused(WithGrid(grid), "x nodes do not ascend in the grid source");
+    ExpectRefused(With(grid), "x nodes do not ascend in the grid source");
   }
 }
 
@@ -169,7 +165,7 @@ TEST(MakeSpacing, RefusesValuesThatLeaveTheRangeWhenScaled)
 {
   GridSource grid = MakeGrid(5, 3, Level);
   grid.Values[7] = 1e300;
-  SpacingOptions options = WithGrid(grid);
+  SpacingOptions options = With(grid);
   options.Scale = 1e10;
   ExpectRefusedValue(options, 7, { 0.5, 0.5 }, "value 1e+300 in the grid source");
 }
@@ -183,11 +179,11 @@ TEST(SourceCheck, KnowsTheLeastOfAllValuesGiven)
   GridSource grid = MakeGrid(5, 3, Level);
   grid.Values[7] = NotANumber;
   grid.Values[8] = 0.04;
-  options.Grid = Share(grid);
+  options.Sources.emplace_back(Share(grid));
   EXPECT_EQ(LeastGiven(options), std::min(0.04, Level({ 0.5, 0.5 })));
   SegmentSource segments = MakeLoop(7, [](double) { return 0.03; });
   segments.Values[5] = 1e-4;
-  options.Segments = Share(segments);
+  options.Sources.emplace_back(Share(segments));
   options.Scale = 7.0;
   EXPECT_EQ(LeastGiven(options), 1e-4);
 }

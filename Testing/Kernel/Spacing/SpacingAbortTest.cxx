@@ -46,11 +46,10 @@ double JumpWithHoles(const Point2& x)
 
 SpacingOptions WithAllJumping()
 {
-  SpacingOptions options;
-  options.Grid = Share(MakeGrid(70, 70, JumpWithHoles));
-  options.Triangulation = Share(MakeTriangulation(40, JumpWithHoles));
-  options.Segments =
-    Share(MakeLoop(400, [](double angle) { return 0.02 + 0.01 * std::sin(angle); }));
+  SpacingOptions options = With(MakeGrid(70, 70, JumpWithHoles));
+  options.Sources.emplace_back(Share(MakeTriangulation(40, JumpWithHoles)));
+  options.Sources.emplace_back(
+    Share(MakeLoop(400, [](double angle) { return 0.02 + 0.01 * std::sin(angle); })));
   options.Floor = Share(MakeLoop(400, [](double) { return 0.002; }));
   const SegmentSource loop = MakeLoop(400, [](double) { return 1.0; });
   FeatureSource features;

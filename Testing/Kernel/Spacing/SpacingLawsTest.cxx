@@ -97,14 +97,14 @@ SpacingOptions MakeOptions(Sampler& sampler)
       MakeGrid(columns, 2 + static_cast<int>(columns * sampler.Next()), field, power);
     Spoil(grid.Values, NotANumber, sampler);
     Spoil(grid.Values, fill, sampler);
-    options.Grid = Share(std::move(grid));
+    options.Sources.emplace_back(Share(std::move(grid)));
   }
   else
   {
     TriangulatedSource source = MakeTriangulation(columns, field, power);
     AddGaps(source, sampler);
     Spoil(source.Values, fill, sampler);
-    options.Triangulation = Share(std::move(source));
+    options.Sources.emplace_back(Share(std::move(source)));
   }
   options.Minimum = Chance(0.4, sampler) ? least * std::exp(3.0 * sampler.Next() - 2.0) : 0.0;
   options.Maximum = Chance(0.3, sampler)
@@ -166,15 +166,15 @@ TEST(SpacingLaws, HoldForTrianglesThatAreTurnedAndReachBeyondTheBounds)
     SCOPED_TRACE(seed);
     Sampler sampler(seed);
     SpacingOptions options = MakeOptions(sampler);
-    if (options.Triangulation)
+    if (const auto* triangles = First<TriangulatedSource>(options))
     {
-      TriangulatedSource source = *options.Triangulation;
+      TriangulatedSource source = *triangles;
       for (Point2& point : source.Points)
       {
         point = Point2{ 0.3, 0.45 } +
           Point2{ 0.64 * point.X - 0.48 * point.Y, 0.48 * point.X + 0.64 * point.Y };
       }
-      options.Triangulation = Share(std::move(source));
+      options.Sources = { Share(std::move(source)) };
       ExpectLaws(options, UnitBox(), sampler);
     }
   }
@@ -183,7 +183,7 @@ TEST(SpacingLaws, HoldForTrianglesThatAreTurnedAndReachBeyondTheBounds)
 /// On a small part of their sides only.
 TEST(SpacingLaws, HoldWhereValuesReachTheMaximumBesideACornerOfATriangle)
 {
-  SpacingOptions options = WithTriangles(
+  SpacingOptions options = With(
     MakeTriangulation(5, [](const Point2& x) { return x.X < 0.4 && x.Y < 0.6 ? 0.0025 : 1e20; }));
   options.Maximum = 0.005;
   Sampler sampler(3);

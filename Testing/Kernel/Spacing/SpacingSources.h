@@ -169,25 +169,67 @@ inline Spacing MakeGoodSpacing(const SpacingOptions& options, const Box2& bounds
   return spacing;
 }
 
-inline SpacingOptions WithGrid(GridSource grid)
+template <typename Source>
+SpacingOptions With(Source source)
 {
   SpacingOptions options;
-  options.Grid = Share(std::move(grid));
+  options.Sources.emplace_back(Share(std::move(source)));
   return options;
 }
 
-inline SpacingOptions WithTriangles(TriangulatedSource source)
+/// The first source, where it is of that kind; else null.
+template <typename Kind>
+const Kind* First(const SpacingOptions& options)
 {
-  SpacingOptions options;
-  options.Triangulation = Share(std::move(source));
+  const auto* kind = std::get_if<std::shared_ptr<const Kind>>(&options.Sources.front());
+  return kind ? kind->get() : nullptr;
+}
+
+/// With `change` made to every source.
+template <typename Change>
+SpacingOptions Changed(SpacingOptions options, Change change)
+{
+  const auto changed = [&change](const auto& source) -> GivenSource
+  {
+    auto copy = *source;
+    change(copy);
+    return Share(std::move(copy));
+  };
+  for (GivenSource& source : options.Sources)
+  {
+    source = std::visit(changed, source);
+  }
   return options;
 }
 
-inline SpacingOptions WithSegments(SegmentSource source)
+/// Along both axes, then moved.
+template <typename Source>
+void Stretch(const Point2& factors, const Point2& shift, Source& source)
 {
-  SpacingOptions options;
-  options.Segments = Share(std::move(source));
-  return options;
+  const auto stretch = [&factors, &shift](std::size_t d, double& x)
+  { x = factors[d] * x + shift[d]; };
+  if constexpr (std::is_same_v<Source, GridSource>)
+  {
+    std::for_each(
+      source.XNodes.begin(), source.XNodes.end(), [&stretch](double& x) { stretch(0, x); });
+    std::for_each(
+      source.YNodes.begin(), source.YNodes.end(), [&stretch](double& y) { stretch(1, y); });
+  }
+  else
+  {
+    for (Point2& point : source.Points)
+    {
+      stretch(0, point.X);
+      stretch(1, point.Y);
+    }
+  }
+}
+
+template <typename Source>
+Source OnAPart(Source source)
+{
+  Stretch({ 0.3, 0.4 }, { 0.3, 0.2 }, source);
+  return source;
 }
 
 /// Exchanges x and y.

@@ -22,11 +22,11 @@ double Wave(const Point2& x)
 
 SpacingOptions WithEverything()
 {
-  SpacingOptions options = WithGrid(MakeGrid(21, 31, Wave));
-  options.Triangulation =
-    Share(MakeTriangulation(15, [](const Point2& x) { return 0.03 + 0.1 * x.X; }));
-  options.Segments =
-    Share(MakeLoop(90, [](double angle) { return 0.03 + 0.01 * std::sin(angle); }));
+  SpacingOptions options = With(MakeGrid(21, 31, Wave));
+  options.Sources.emplace_back(
+    Share(MakeTriangulation(15, [](const Point2& x) { return 0.03 + 0.1 * x.X; })));
+  options.Sources.emplace_back(
+    Share(MakeLoop(90, [](double angle) { return 0.03 + 0.01 * std::sin(angle); })));
   options.Uniform = 0.06;
   return options;
 }
@@ -50,49 +50,21 @@ void ScaleBy(double factor, std::vector<double>& numbers)
   }
 }
 
-void ScaleBy(double factor, std::vector<Point2>& points)
-{
-  for (Point2& point : points)
-  {
-    point = factor * point;
-  }
-}
-
 SpacingOptions ScaledBy(double factor, const SpacingOptions& options)
 {
-  GridSource grid = *options.Grid;
-  ScaleBy(factor, grid.XNodes);
-  ScaleBy(factor, grid.YNodes);
-  ScaleBy(factor, grid.Values);
-  TriangulatedSource triangulation = *options.Triangulation;
-  ScaleBy(factor, triangulation.Points);
-  ScaleBy(factor, triangulation.Values);
-  SegmentSource segments = *options.Segments;
-  ScaleBy(factor, segments.Points);
-  ScaleBy(factor, segments.Values);
-  SpacingOptions scaled = options;
-  scaled.Grid = Share(std::move(grid));
-  scaled.Triangulation = Share(std::move(triangulation));
-  scaled.Segments = Share(std::move(segments));
+  SpacingOptions scaled = Changed(options,
+    [factor](auto& source)
+    {
+      Stretch({ factor, factor }, {}, source);
+      ScaleBy(factor, source.Values);
+    });
   scaled.Uniform *= factor;
   return scaled;
 }
 
 SpacingOptions ShiftedBy(const Point2& shift, const SpacingOptions& options)
 {
-  GridSource grid = *options.Grid;
-  TriangulatedSource triangulation = *options.Triangulation;
-  SegmentSource segments = *options.Segments;
-  std::for_each(grid.XNodes.begin(), grid.XNodes.end(), [&shift](double& x) { x += shift.X; });
-  std::for_each(grid.YNodes.begin(), grid.YNodes.end(), [&shift](double& y) { y += shift.Y; });
-  const auto move = [&shift](Point2& point) { point = point + shift; };
-  std::for_each(triangulation.Points.begin(), triangulation.Points.end(), move);
-  std::for_each(segments.Points.begin(), segments.Points.end(), move);
-  SpacingOptions shifted = options;
-  shifted.Grid = Share(std::move(grid));
-  shifted.Triangulation = Share(std::move(triangulation));
-  shifted.Segments = Share(std::move(segments));
-  return shifted;
+  return Changed(options, [&shift](auto& source) { Stretch({ 1.0, 1.0 }, shift, source); });
 }
 
 } // namespace
@@ -109,9 +81,9 @@ TEST(Spacing, IsTwoPercentOfTheDiagonalWhereNothingIsGiven)
   const Spacing spacing = MakeGoodSpacing(options, { { 1.0, 1.0 }, { 4.0, 5.0 } });
   EXPECT_DOUBLE_EQ(spacing({ 2.0, 2.0 }), 0.1);
   EXPECT_TRUE(spacing.IsUniform());
-  options.Grid = Share(GridSource());
-  options.Triangulation = Share(TriangulatedSource());
-  options.Segments = Share(SegmentSource());
+  options.Sources.emplace_back(Share(GridSource()));
+  options.Sources.emplace_back(Share(TriangulatedSource()));
+  options.Sources.emplace_back(Share(SegmentSource()));
   EXPECT_DOUBLE_EQ(MakeGoodSpacing(options, { { 1.0, 1.0 }, { 4.0, 5.0 } })({ 0.0, 0.0 }), 0.1);
 }
 
@@ -120,7 +92,7 @@ TEST(Spacing, IsPositiveInABoxOfNoExtent)
   EXPECT_GT(MakeGoodSpacing({}, Box2())({ 0.0, 0.0 }), 0.0);
   EXPECT_GT(MakeGoodSpacing({}, { { 1.0, 1.0 }, { 1.0, 1.0 } })({ 0.0, 0.0 }), 0.0);
   const Spacing point = MakeGoodSpacing(
-    WithSegments({ { { 1.0, 2.0 } }, { 0.25 }, { 0, 0 } }), { { 1.0, 2.0 }, { 1.0, 2.0 } });
+    With(SegmentSource{ { { 1.0, 2.0 } }, { 0.25 }, { 0, 0 } }), { { 1.0, 2.0 }, { 1.0, 2.0 } });
   EXPECT_NEAR(point({ 1.0, 2.0 }), 0.25, 0.004);
 }
 
@@ -128,11 +100,11 @@ TEST(Spacing, IsTheMinimumOfItsSources)
 {
   const SpacingOptions all = WithEverything();
   SpacingOptions grid;
-  grid.Grid = all.Grid;
+  grid.Sources = { all.Sources[0] };
   SpacingOptions triangulation;
-  triangulation.Triangulation = all.Triangulation;
+  triangulation.Sources = { all.Sources[1] };
   SpacingOptions segments;
-  segments.Segments = all.Segments;
+  segments.Sources = { all.Sources[2] };
   const Spacing f = MakeGoodSpacing(all);
   const Spacing fGrid = MakeGoodSpacing(grid);
   const Spacing fTriangulation = MakeGoodSpacing(triangulation);
@@ -174,7 +146,7 @@ TEST(Spacing, OnASphereIsWhatIsGivenInLengthsOfTheSphere)
   options.Uniform = 0.0;
   options.Scale = 2.0;
   options.Minimum = 0.07;
-  options.Triangulation = Share(MakeTriangulation(15, [](const Point2&) { return 0.02; }));
+  options.Sources.emplace_back(Share(MakeTriangulation(15, [](const Point2&) { return 0.02; })));
   const Spacing bounded = MakeGoodSpacing(options);
   for (const Point2& x : Probes(100))
   {
@@ -189,7 +161,8 @@ TEST(Spacing, OnASphereIsGradedInThePlane)
   SpacingOptions options;
   options.Curvature = 0.25;
   options.Gradation = 0.2;
-  options.Grid = Share(MakeGrid(81, 81, [](const Point2& x) { return x.X < 0.5 ? 0.02 : 0.2; }));
+  options.Sources.emplace_back(
+    Share(MakeGrid(81, 81, [](const Point2& x) { return x.X < 0.5 ? 0.02 : 0.2; })));
   const Spacing f = MakeGoodSpacing(options);
   const auto stretch = [](const Point2& x) { return 1.0 + 0.25 * Dot(x, x); };
   for (const double y : { 0.1, 0.5, 0.9 })
@@ -203,13 +176,8 @@ TEST(Spacing, OnASphereIsGradedInThePlane)
 TEST(Spacing, GrowsWithEachSource)
 {
   const SpacingOptions options = WithEverything();
-  SpacingOptions larger = options;
-  GridSource grid = *options.Grid;
-  ScaleBy(1.25, grid.Values);
-  larger.Grid = Share(std::move(grid));
-  TriangulatedSource triangulation = *options.Triangulation;
-  ScaleBy(1.25, triangulation.Values);
-  larger.Triangulation = Share(std::move(triangulation));
+  const SpacingOptions larger =
+    Changed(options, [](auto& source) { ScaleBy(1.25, source.Values); });
   const Spacing f = MakeGoodSpacing(options);
   const Spacing g = MakeGoodSpacing(larger);
   for (const Point2& x : Probes(2000))
@@ -221,23 +189,22 @@ TEST(Spacing, GrowsWithEachSource)
 TEST(Spacing, KnowsTheLargestSlopeOfWhatIsGiven)
 {
   const auto plane = [](const Point2& x) { return 2.0 + 0.3 * x.X - 0.4 * x.Y; };
-  EXPECT_NEAR(MakeGoodSpacing(WithGrid(MakeGrid(7, 9, plane))).GivenLipschitz(), 0.5, 1e-12);
-  EXPECT_NEAR(
-    MakeGoodSpacing(WithTriangles(MakeTriangulation(7, plane))).GivenLipschitz(), 0.5, 1e-12);
+  EXPECT_NEAR(MakeGoodSpacing(With(MakeGrid(7, 9, plane))).GivenLipschitz(), 0.5, 1e-12);
+  EXPECT_NEAR(MakeGoodSpacing(With(MakeTriangulation(7, plane))).GivenLipschitz(), 0.5, 1e-12);
   SpacingOptions segments =
-    WithSegments({ { { 0.0, 0.0 }, { 3.0, 4.0 } }, { 1.0, 2.0 }, { 0, 1 } });
+    With(SegmentSource{ { { 0.0, 0.0 }, { 3.0, 4.0 } }, { 1.0, 2.0 }, { 0, 1 } });
   segments.Scale = 10.0;
   EXPECT_NEAR(MakeGoodSpacing(segments).GivenLipschitz(), 2.0, 1e-12);
-  segments.Segments = nullptr;
+  segments.Sources.clear();
   EXPECT_EQ(MakeGoodSpacing(segments).GivenLipschitz(), 0.0);
 }
 
 TEST(Spacing, OfSourcesWithOneValueIsUniform)
 {
   const auto level = [](const Point2&) { return 0.5; };
-  SpacingOptions options = WithGrid(MakeGrid(4, 4, level));
-  options.Triangulation = Share(MakeTriangulation(4, level));
-  options.Segments = Share(MakeLoop(10, [](double) { return 0.25; }));
+  SpacingOptions options = With(MakeGrid(4, 4, level));
+  options.Sources.emplace_back(Share(MakeTriangulation(4, level)));
+  options.Sources.emplace_back(Share(MakeLoop(10, [](double) { return 0.25; })));
   options.Gradation = 0.0;
   const Spacing spacing = MakeGoodSpacing(options);
   EXPECT_TRUE(spacing.IsUniform());
@@ -249,9 +216,9 @@ TEST(Spacing, OfSourcesWithOneValueIsUniform)
 TEST(Spacing, OfOneValueAndHolesIsUniform)
 {
   const auto level = [](const Point2& x) { return x.X > 0.6 ? NotANumber : 0.5; };
-  EXPECT_TRUE(MakeGoodSpacing(WithGrid(MakeGrid(4, 4, level))).IsUniform());
+  EXPECT_TRUE(MakeGoodSpacing(With(MakeGrid(4, 4, level))).IsUniform());
   const auto step = [](const Point2& x) { return x.X > 0.6 ? NotANumber : x.Y > 0.6 ? 0.6 : 0.5; };
-  EXPECT_FALSE(MakeGoodSpacing(WithGrid(MakeGrid(4, 4, step))).IsUniform());
+  EXPECT_FALSE(MakeGoodSpacing(With(MakeGrid(4, 4, step))).IsUniform());
 }
 
 /// Slopes of the largest number there is were not finite, and f not limited at all.
@@ -261,7 +228,7 @@ TEST(Spacing, KeepsTheGradationBesideFillValuesHoweverLarge)
   {
     const auto field = [fill](const Point2& x) { return x.X + x.Y < 0.9 ? 0.02 : fill; };
     for (const SpacingOptions& options :
-      { WithGrid(MakeGrid(17, 17, field)), WithTriangles(MakeTriangulation(17, field)) })
+      { With(MakeGrid(17, 17, field)), With(MakeTriangulation(17, field)) })
     {
       const Spacing f = MakeGoodSpacing(options);
       Sampler sampler(4);
@@ -279,8 +246,8 @@ TEST(Spacing, KeepsTheGradationBesideFillValuesHoweverLarge)
 TEST(Spacing, FillsHolesFromTheirBorder)
 {
   const auto holed = [](const Point2& x) { return x.X > 0.45 ? NotANumber : 1.0 + x.Y; };
-  SpacingOptions withGrid = WithGrid(MakeGrid(11, 11, holed));
-  SpacingOptions withTriangles = WithTriangles(MakeTriangulation(11, holed));
+  SpacingOptions withGrid = With(MakeGrid(11, 11, holed));
+  SpacingOptions withTriangles = With(MakeTriangulation(11, holed));
   withGrid.Gradation = withTriangles.Gradation = 0.0;
   const Spacing grid = MakeGoodSpacing(withGrid);
   const Spacing triangulation = MakeGoodSpacing(withTriangles);
@@ -374,11 +341,11 @@ TEST(MakeSpacing, LooksForNoJumpsOutsideOfTrianglesThatCoverTheDomain)
   TriangulatedSource source =
     MakeTriangulation(9, [](const Point2& x) { return 0.02 + 0.1 * x.X; });
   source.Values[40] = NotANumber; // in the middle
-  SpacingOptions options = WithTriangles(source);
+  SpacingOptions options = With(source);
   options.Gradation = 0.3;
   const Spacing limited = MakeGoodSpacing(options);
   source.CoversDomain = true;
-  options.Triangulation = Share(source);
+  options.Sources = { Share(source) };
   const Spacing covering = MakeGoodSpacing(options);
   for (const Point2& inside : { Point2{ 0.1, 0.3 }, Point2{ 0.37, 0.37 }, Point2{ 0.7, 0.9 } })
   {
@@ -394,7 +361,7 @@ TEST(MakeSpacing, LooksForNoJumpsOutsideOfTrianglesThatCoverTheDomain)
 TEST(MakeSpacing, OfTrianglesIsTheSameOnAnyNumberOfThreads)
 {
   Sampler sampler(29);
-  const SpacingOptions options = WithTriangles(MakeTriangulation(151,
+  const SpacingOptions options = With(MakeTriangulation(151,
     [&sampler](const Point2& x) {
       return Length(x - Point2{ 0.6, 0.5 }) < 0.1 ? NotANumber : 0.02 + 0.02 * sampler.Next();
     }));

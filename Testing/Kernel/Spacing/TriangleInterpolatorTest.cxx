@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Spacing/TriangleInterpolator.h"
-
-#include "Spacing/BorderEdge.h"
 #include "SpacingSources.h"
 
 #include <gtest/gtest.h>

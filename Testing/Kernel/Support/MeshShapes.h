@@ -100,7 +100,7 @@ inline SpacingOptions LinearSpacing(double low, double slope, double height)
   grid->Values = { low, low + slope * height };
   SpacingOptions options;
   options.Gradation = 0.0;
-  options.Grid = grid;
+  options.Sources.emplace_back(grid);
   return options;
 }
 
@@ -113,7 +113,7 @@ inline SpacingOptions RadialSpacing(const Point2& center, double least, double g
   source->Segments = { 0, 0 };
   SpacingOptions options;
   options.Gradation = growth;
-  options.Segments = source;
+  options.Sources.emplace_back(source);
   return options;
 }
 
@@ -144,7 +144,7 @@ inline SpacingOptions SectionSixSpacing()
   }
   SpacingOptions options;
   options.Gradation = 0.0;
-  options.Grid = grid;
+  options.Sources.emplace_back(grid);
   return options;
 }
 

@@ -50,6 +50,31 @@ struct WallFacet
   TriangleSides Sides;
 };
 
+/// The unit normal of the facet, away from its cell.
+Point3 NormalOf(const TetMesh& mesh, Id facet)
+{
+  const Point3& first = mesh.PointAt(mesh.FacetCorner(facet, 0));
+  const Point3 normal = Cross(mesh.PointAt(mesh.FacetCorner(facet, 1)) - first,
+    mesh.PointAt(mesh.FacetCorner(facet, 2)) - first);
+  return (1.0 / Length(normal)) * normal;
+}
+
+Point3 MiddleOf(const TetMesh& mesh, Id facet)
+{
+  Point3 middle{};
+  for (int k = 0; k < 3; ++k)
+  {
+    middle = middle + (1.0 / 3.0) * mesh.PointAt(mesh.FacetCorner(facet, k));
+  }
+  return middle;
+}
+
+bool Agree(const SurfaceGround& ground, Id triangle, const Point3& normal)
+{
+  constexpr double LeastCosine = 0.5;
+  return Dot(normal, ground.NormalOf(At(triangle))) >= LeastCosine;
+}
+
 class BoundaryFinder
 {
 public:
@@ -71,7 +96,6 @@ public:
       this->AddFrame();
     }
     this->Triangulate();
-    this->FindCenters();
     if (isSolid)
     {
       this->LabelCells();
@@ -152,17 +176,12 @@ private:
       });
   }
 
-  void FindCenters()
+  /// The power center of a tetrahedron.
+  Point3 CenterOf(Id cell) const
   {
-    this->Centers.resize(At(this->Cells.Mesh().NumberOfSlots()));
-    this->ForCells(
-      [this](Id cell)
-      {
-        const WeightedPoint first = this->CornerAt(cell, 0);
-        this->Centers[At(cell)] = first.Place +
-          PowerCenter(
-            first, this->CornerAt(cell, 1), this->CornerAt(cell, 2), this->CornerAt(cell, 3));
-      });
+    const WeightedPoint first = this->CornerAt(cell, 0);
+    return first.Place +
+      PowerCenter(first, this->CornerAt(cell, 1), this->CornerAt(cell, 2), this->CornerAt(cell, 3));
   }
 
   void LabelCells()
@@ -172,8 +191,9 @@ private:
     this->ForCells(
       [this, &test](Id cell)
       {
-        const Id label = this->LabelByNormals(cell);
-        this->Labels[At(cell)] = label != NoId ? label : test.LabelAt(this->Centers[At(cell)]);
+        const Point3 center = this->CenterOf(cell);
+        const Id label = this->LabelByNormals(cell, center);
+        this->Labels[At(cell)] = label != NoId ? label : test.LabelAt(center);
       });
   }
 
@@ -226,7 +246,7 @@ private:
   /// Where the centre is far from the planes of the surface at all corners, on the same side; else
   /// NoId. No bite is in the sphere of the cell, so that the surface, which they cover, is near the
   /// sphere only.
-  Id LabelByNormals(Id cell) const
+  Id LabelByNormals(Id cell, const Point3& center) const
   {
     constexpr double LeastSlope = 0.5;
     Id label = NoId;
@@ -237,7 +257,7 @@ private:
       {
         return NoId;
       }
-      const Point3 apart = this->Centers[At(cell)] - this->Bites.Centers[At(bite)];
+      const Point3 apart = center - this->Bites.Centers[At(bite)];
       const std::size_t triangle = At(this->Bites.Triangles[At(bite)]);
       const double height = Dot(apart, this->Ground.NormalOf(triangle));
       const TriangleSides& sides = this->Ground.Sides[At(this->Ground.Mesh.Cells[triangle])];
@@ -264,7 +284,7 @@ private:
         {
           const DualEdge dual = this->DualOf(facet);
           const Id near = this->WalkTo(facet, dual);
-          const bool isFound = near != NoId && this->Agree(near, dual.Normal);
+          const bool isFound = near != NoId && Agree(this->Ground, near, dual.Normal);
           const Id met = isFound ? near : this->Meet(dual).Triangle;
           wall = { facet, isFound ? near : this->TriangleBelow(facet, met, dual.Normal), false,
             this->BallCenter(dual, met), { label, other } };
@@ -280,7 +300,10 @@ private:
       [this, &mesh](Id facet, WallFacet& wall)
       {
         const Id twin = mesh.Twins[At(facet)];
-        if (!this->IsOfBites(facet) || (facet > twin && !mesh.IsGhost(TetMesh::CellOf(twin))))
+        const auto isOfFrame = [this, &mesh, facet](int k)
+        { return this->BiteOf[At(mesh.FacetCorner(facet, k))] == NoId; };
+        if (isOfFrame(0) || isOfFrame(1) || isOfFrame(2) ||
+          (facet > twin && !mesh.IsGhost(TetMesh::CellOf(twin))))
         {
           return false;
         }
@@ -319,39 +342,31 @@ private:
           }
         }
       });
+    std::size_t facets = 0;
     for (const std::vector<WallFacet>& part : parts)
+    {
+      facets += part.size();
+    }
+    this->Result.Corners.reserve(3 * facets);
+    this->Result.Triangles.reserve(facets);
+    this->Result.Sides.reserve(facets);
+    this->Result.BallCenters.reserve(facets);
+    for (std::vector<WallFacet>& part : parts)
     {
       for (const WallFacet& wall : part)
       {
         this->Add(wall);
       }
+      std::vector<WallFacet>().swap(part);
     }
-  }
-
-  bool IsOfBites(Id facet) const
-  {
-    const TetMesh& mesh = this->Cells.Mesh();
-    return this->BiteOf[At(mesh.FacetCorner(facet, 0))] != NoId &&
-      this->BiteOf[At(mesh.FacetCorner(facet, 1))] != NoId &&
-      this->BiteOf[At(mesh.FacetCorner(facet, 2))] != NoId;
-  }
-
-  /// The unit normal of the facet, away from its cell.
-  Point3 NormalOf(Id facet) const
-  {
-    const TetMesh& mesh = this->Cells.Mesh();
-    const Point3 normal =
-      Cross(mesh.PointAt(mesh.FacetCorner(facet, 1)) - mesh.PointAt(mesh.FacetCorner(facet, 0)),
-        mesh.PointAt(mesh.FacetCorner(facet, 2)) - mesh.PointAt(mesh.FacetCorner(facet, 0)));
-    return (1.0 / Length(normal)) * normal;
   }
 
   /// It begins at the centre of the cell of the facet.
   DualEdge DualOf(Id facet) const
   {
     const TetMesh& mesh = this->Cells.Mesh();
-    const Point3 normal = this->NormalOf(facet);
-    const Point3& center = this->Centers[At(TetMesh::CellOf(facet))];
+    const Point3 normal = NormalOf(mesh, facet);
+    const Point3 center = this->CenterOf(TetMesh::CellOf(facet));
     const Id first = mesh.FacetCorner(facet, 0);
     const Point3 foot = center + Dot(mesh.PointAt(first) - center, normal) * normal;
     const Id other = TetMesh::CellOf(mesh.Twins[At(facet)]);
@@ -363,7 +378,7 @@ private:
     }
     const auto height = [&normal, &foot](const Point3& place) { return Dot(place - foot, normal); };
     const double low = height(center);
-    const double high = mesh.IsTetrahedron(other) ? height(this->Centers[At(other)]) : Infinity;
+    const double high = mesh.IsTetrahedron(other) ? height(this->CenterOf(other)) : Infinity;
     return { normal, foot, std::max(std::min(low, high), -reach),
       std::min(std::max(low, high), reach) };
   }
@@ -486,38 +501,21 @@ private:
     this->Result.BallCenters.push_back(wall.BallCenter);
   }
 
-  bool Agree(Id triangle, const Point3& normal) const
-  {
-    constexpr double LeastCosine = 0.5;
-    return Dot(normal, this->Ground.NormalOf(At(triangle))) >= LeastCosine;
-  }
-
   /// Where the dual edge meets no triangle that agrees with the facet's normal, as near features,
   /// the nearest one that does, if it is near; else the nearest one.
   Id TriangleBelow(Id facet, Id met, const Point3& normal) const
   {
     constexpr double Near = 0.25; // in f
-    if (met != NoId && this->Agree(met, normal))
+    if (met != NoId && Agree(this->Ground, met, normal))
     {
       return met;
     }
-    const Point3 middle = this->MiddleOf(facet);
+    const Point3 middle = MiddleOf(this->Cells.Mesh(), facet);
     const Id bite = this->BiteOf[At(this->Cells.Mesh().FacetCorner(facet, 0))];
     const Id best = this->NearestTo(middle, Near * this->Bites.Sizes[At(bite)],
-      [this, &normal](Id triangle) { return this->Agree(triangle, normal); });
+      [this, &normal](Id triangle) { return Agree(this->Ground, triangle, normal); });
     const Id other = met != NoId ? met : this->NearestTo(middle, Infinity, [](Id) { return true; });
     return best != NoId ? best : other;
-  }
-
-  Point3 MiddleOf(Id facet) const
-  {
-    const TetMesh& mesh = this->Cells.Mesh();
-    Point3 middle{};
-    for (int k = 0; k < 3; ++k)
-    {
-      middle = middle + (1.0 / 3.0) * mesh.PointAt(mesh.FacetCorner(facet, k));
-    }
-    return middle;
   }
 
   /// The triangle of the ground that is nearest to the place, and nearer than `most`, of those that
@@ -547,7 +545,6 @@ private:
   RegularTriangulation Cells;
   Pulse& Beats;
   std::vector<Id> BiteOf;               ///< of vertices
-  std::vector<Point3> Centers;          ///< of cells
   std::vector<Id> Labels;               ///< of cells: the side of the surface they are on
   std::vector<std::uint8_t> IsByMiddle; ///< of cells: labelled by their middles
   SurfaceBoundary Result;

@@ -214,6 +214,17 @@ private:
   std::vector<Id> Seen;
 };
 
+/// Of triangles of the input, one of the pieces.
+std::vector<Id> PieceOfEach(const SurfaceGround& ground)
+{
+  std::vector<Id> pieces(ground.Normals.size(), NoId);
+  for (std::size_t t = 0; t < ground.Mesh.NumberOfTriangles(); ++t)
+  {
+    pieces[At(ground.Mesh.Cells[t])] = static_cast<Id>(t);
+  }
+  return pieces;
+}
+
 /// The piece of a triangle of the input at the place, by a walk from another one.
 Id PieceAt(const SurfaceGround& ground, Id piece, const Point3& place)
 {
@@ -243,10 +254,12 @@ Id PieceAt(const SurfaceGround& ground, Id piece, const Point3& place)
 }
 
 /// The piece of a wall that a ball of the diameter touches at `place`: f grows from there. What is
-/// steeper than any gradation is left to later rounds, when the wall is divided there.
-void CapWall(SurfaceGround& ground, Id piece, const Point3& place, double diameter)
+/// steeper than any gradation is left to later rounds, when the wall is divided there. `piece`:
+/// another one of the wall, then this.
+void CapWall(SurfaceGround& ground, Id& piece, const Point3& place, double diameter)
 {
   constexpr double Growth = 0.3;
+  piece = PieceAt(ground, piece, place);
   for (std::size_t slot = 3 * At(piece); slot < 3 * At(piece) + 3; ++slot)
   {
     Cap(
@@ -426,11 +439,7 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
   const BoxTree<SurfaceItem, 3>& inputTree, std::size_t firstVertex, Pulse& pulse)
 {
   ShrinkingBall ball(ground, input, inputTree);
-  std::vector<Id> pieces(input.NumberOfTriangles(), NoId); // one of each triangle of the input
-  for (std::size_t t = 0; t < ground.Mesh.NumberOfTriangles(); ++t)
-  {
-    pieces[At(ground.Mesh.Cells[t])] = static_cast<Id>(t);
-  }
+  std::vector<Id> pieces = PieceOfEach(ground);
   std::vector<std::uint8_t> isDone(ground.Mesh.NumberOfTriangles(), 0);
   // Triangles near a place are not measured: where it sees no wall they see none, and a wall's
   // distance changes by less than theirs.
@@ -453,9 +462,7 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
       {
         near = std::min(near, 0.1 * std::max(diameter, least));
         std::for_each(begin, end, [&ground, diameter](Id v) { Cap(ground, v, diameter); });
-        Id& piece = pieces[At(ball.Wall)];
-        piece = PieceAt(ground, piece, ball.Touch);
-        CapWall(ground, piece, ball.Touch, diameter);
+        CapWall(ground, pieces[At(ball.Wall)], ball.Touch, diameter);
       }
     }
     MarkAround(ground, triangle, place, near, isDone);
@@ -477,13 +484,12 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
     }
   }
   const auto isOnLine = [&ground](Id v) { return ground.Places[At(v)] != FeaturePlace::None; };
-  const auto isNew = [firstVertex](Id v) { return At(v) >= firstVertex; };
   // Strips without a vertex inside.
   for (std::size_t t = 0; t < isDone.size() && pulse.Beat(64); ++t)
   {
     const Id* corners = &ground.Mesh.Corners[3 * t];
     if (isDone[t] == 0 && std::all_of(corners, corners + 3, isOnLine) &&
-      std::any_of(corners, corners + 3, isNew))
+      At(*std::max_element(corners, corners + 3)) >= firstVertex)
     {
       measure(ground.Mesh.Middle(t), ground.NormalOf(t), static_cast<Id>(t), corners, corners + 3);
     }

@@ -17,7 +17,7 @@ constexpr double LeastShare = 0.25;
 /// the largest ball, up to f, that touches the surface at a vertex and is not entered by a wall
 /// that faces it (normals opposite within 41 degrees: so faces of wedges are no walls).
 /// Shrinking balls (Ma, Bae, Choi, "3D medial axis point approximation using nearest neighbors and
-/// the normal field", 2012). Balls are of vertices from `firstVertex` on. `inputTree`: of the input.
+/// the normal field", 2012). Balls are of vertices from `firstVertex` on. `inputTree`: its.
 void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
   const BoxTree<SurfaceItem, 3>& inputTree, std::size_t firstVertex, Pulse& pulse);
 

@@ -20,6 +20,7 @@ constexpr double At31 = 0.7347368398357183;
 constexpr double At35 = 0.6710100716628343;
 constexpr double At38 = 0.6209609477998338;
 constexpr double At45 = 0.5;
+constexpr double At1 = 0.9996954135095479;
 
 class BodyRelaxer
 {
@@ -53,6 +54,17 @@ public:
     for (int round = 0; round < Rounds && isChanged && this->GoOn(0.84 + 0.02 * round); ++round)
     {
       isChanged = this->LoosenWorst(At31);
+    }
+    this->Tets.GiveBack();
+  }
+
+  void RemoveFlat()
+  {
+    constexpr int Rounds = 4;
+    bool isChanged = true;
+    for (int round = 0; round < Rounds && isChanged && this->Beats.Ask(); ++round)
+    {
+      isChanged = this->ChangeBad(At1);
     }
     this->Tets.GiveBack();
   }
@@ -181,6 +193,12 @@ void RelaxBody(const SurfaceGround& ground, const std::function<double(const Poi
   RelaxedBody& body, Pulse& pulse)
 {
   BodyRelaxer(ground, f, body, pulse).Run();
+}
+
+void RemoveFlatTetrahedra(const SurfaceGround& ground, RelaxedBody& body, Pulse& pulse)
+{
+  const std::function<double(const Point3&)> none;
+  BodyRelaxer(ground, none, body, pulse).RemoveFlat();
 }
 
 } // namespace biting

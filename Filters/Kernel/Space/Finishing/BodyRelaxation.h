@@ -49,6 +49,10 @@ struct RelaxedBody
 void RelaxBody(const SurfaceGround& ground, const std::function<double(const Point3&)>& f,
   RelaxedBody& body, Pulse& pulse);
 
+/// Flips and the removal of edges alone, for dihedral angles below 1 degree: four vertices in a
+/// plane face may have a tetrahedron that is positive by rounding, and not where the body is moved.
+void RemoveFlatTetrahedra(const SurfaceGround& ground, RelaxedBody& body, Pulse& pulse);
+
 } // namespace biting
 
 #endif

@@ -302,6 +302,10 @@ private:
     {
       RelaxBody(this->Certified.Ground, this->Spacing, this->Body, pulse);
     }
+    else
+    {
+      RemoveFlatTetrahedra(this->Certified.Ground, this->Body, pulse);
+    }
     return MayGoOn(this->Problems, pulse);
   }
 

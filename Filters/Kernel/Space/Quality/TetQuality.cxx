@@ -33,6 +33,17 @@ std::array<Point3, 4> TetrahedronOf(const TetView& mesh, std::size_t t)
   return corners;
 }
 
+// Infinite where the volume is 0.
+double Circumradius(const std::array<Point3, 4>& tetrahedron)
+{
+  const Point3 a = tetrahedron[1] - tetrahedron[0];
+  const Point3 b = tetrahedron[2] - tetrahedron[0];
+  const Point3 c = tetrahedron[3] - tetrahedron[0];
+  const double volume = std::abs(VolumeOf(tetrahedron));
+  const Point3 center = Dot(a, a) * Cross(b, c) + Dot(b, b) * Cross(c, a) + Dot(c, c) * Cross(a, b);
+  return volume > 0.0 ? Length(center) / (12.0 * volume) : Infinity;
+}
+
 void MeasureShapes(const TetView& mesh, Pulse& pulse, TetQuality& quality)
 {
   const std::size_t count = mesh.Corners.size() / 4;
@@ -54,6 +65,7 @@ void MeasureShapes(const TetView& mesh, Pulse& pulse, TetQuality& quality)
       quality.MinimumDihedralAngle.push_back(least);
       quality.MaximumDihedralAngle.push_back(most);
       quality.RadiusEdgeRatio.push_back(ratio);
+      quality.AspectRatio.push_back(AspectRatio(corners));
       quality.NumberOfSlivers += ratio <= SliverRatio && least < SliverAngle ? 1 : 0;
       quality.SmallestDihedralAngle = std::min(quality.SmallestDihedralAngle, least);
       quality.LargestDihedralAngle = std::max(quality.LargestDihedralAngle, most);
@@ -165,23 +177,33 @@ std::array<double, 6> DihedralAngles(const std::array<Point3, 4>& tetrahedron)
   return angles;
 }
 
+double VolumeOf(const std::array<Point3, 4>& tetrahedron)
+{
+  const Point3& a = tetrahedron[0];
+  return Dot(tetrahedron[1] - a, Cross(tetrahedron[2] - a, tetrahedron[3] - a)) / 6.0;
+}
+
 double RadiusEdgeRatio(const std::array<Point3, 4>& tetrahedron)
 {
-  const Point3 a = tetrahedron[1] - tetrahedron[0];
-  const Point3 b = tetrahedron[2] - tetrahedron[0];
-  const Point3 c = tetrahedron[3] - tetrahedron[0];
-  const double volume = 2.0 * Dot(a, Cross(b, c));
   double shortest = Infinity;
   for (const auto& ends : EdgeCorners)
   {
     shortest = std::min(shortest, Distance(tetrahedron[ends[0]], tetrahedron[ends[1]]));
   }
-  if (volume == 0.0 || shortest == 0.0)
+  return shortest > 0.0 ? Circumradius(tetrahedron) / shortest : Infinity;
+}
+
+double AspectRatio(const std::array<Point3, 4>& tetrahedron)
+{
+  double area = 0.0;
+  for (std::size_t k = 0; k < 4; ++k)
   {
-    return Infinity;
+    const Point3& a = tetrahedron[k];
+    area += 0.5 * Length(Cross(tetrahedron[(k + 1) % 4] - a, tetrahedron[(k + 2) % 4] - a));
   }
-  const Point3 center = Dot(a, a) * Cross(b, c) + Dot(b, b) * Cross(c, a) + Dot(c, c) * Cross(a, b);
-  return Length(center) / (std::abs(volume) * shortest);
+  // Pyramids from the faces to the middle of the inscribed sphere: volume = area * radius / 3.
+  const double volume = std::abs(VolumeOf(tetrahedron));
+  return volume > 0.0 ? Circumradius(tetrahedron) * area / (3.0 * volume) : Infinity;
 }
 
 } // namespace biting

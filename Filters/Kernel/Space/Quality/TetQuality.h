@@ -35,6 +35,7 @@ struct TetQuality
   std::vector<double> MinimumDihedralAngle; ///< degrees; 70.53 is best
   std::vector<double> MaximumDihedralAngle;
   std::vector<double> RadiusEdgeRatio; ///< circumradius / shortest edge; 0.612 is best
+  std::vector<double> AspectRatio;     ///< circumradius / radius of the inscribed sphere; 3 is best
 
   // For histograms: six dihedral angles a tetrahedron, and length / mean f of the ends an edge.
   std::vector<double> DihedralAngles;
@@ -58,8 +59,12 @@ TetQuality MeasureTetrahedra(const TetView& mesh, Monitor& monitor = NoMonitor()
 /// The dihedral angles at the edges 01, 02, 03, 12, 13, 23, in degrees; NaN at faces without area.
 std::array<double, 6> DihedralAngles(const std::array<Point3, 4>& tetrahedron);
 
-/// Infinite where the volume is 0.
+/// Of the sign that Orient3D has.
+double VolumeOf(const std::array<Point3, 4>& tetrahedron);
+
+/// Infinite where the volume is 0, both.
 double RadiusEdgeRatio(const std::array<Point3, 4>& tetrahedron);
+double AspectRatio(const std::array<Point3, 4>& tetrahedron);
 
 } // namespace biting
 

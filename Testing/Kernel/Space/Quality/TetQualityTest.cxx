@@ -25,6 +25,7 @@ TEST(TetQuality, KnowsTheRegularTetrahedron)
   EXPECT_NEAR(quality.SmallestDihedralAngle, 70.528779365509, 1e-10);
   EXPECT_NEAR(quality.LargestDihedralAngle, 70.528779365509, 1e-10);
   EXPECT_NEAR(quality.LargestRadiusEdgeRatio, std::sqrt(3.0 / 8.0), 1e-14);
+  EXPECT_NEAR(quality.AspectRatio.front(), 3.0, 1e-14);
   EXPECT_EQ(quality.NumberOfVertices, 4);
   EXPECT_EQ(quality.NumberOfSlivers, 0);
   EXPECT_EQ(quality.NearestNeighborDistance[0], std::sqrt(8.0));

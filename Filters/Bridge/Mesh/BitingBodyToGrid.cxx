@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "BitingBodyToGrid.h"
+
+#include "../Data/ArrayFromVector.h"
+#include "BitingSurfaceToPolyData.h"
+#include "MeasuredTetrahedra.h"
+#include "SurfaceToPolyData.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm> // for transform
+#include <numeric>   // for iota
+#include <sstream>   // for figures
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr std::uint8_t InsideKind = 3; // after those of SurfaceVertexKind
+
+void BoundaryToPolyData(BitingBody& body, const CheckedSurface& surface, const Drawing& drawing,
+  vtkPolyData* output, Pulse& pulse)
+{
+  BitingSurface& boundary = body.Boundary;
+  std::transform(body.BoundaryCells.begin(), body.BoundaryCells.end(), boundary.Regions.begin(),
+    [&body](Id cell) { return body.Regions[static_cast<std::size_t>(cell)]; });
+  BitingSurfaceToPolyData(boundary, surface, drawing, output, pulse);
+  std::vector<Id> numbers(boundary.Points.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  AddArray<vtkIdTypeArray>(output->GetPointData(), "MeshPointId", numbers, pulse);
+  AddArray<vtkIdTypeArray>(output->GetCellData(), "MeshCellId", body.BoundaryCells, pulse);
+}
+
+std::vector<std::uint8_t> KindsOf(const BitingBody& body)
+{
+  std::vector<std::uint8_t> kinds(body.Points.size(), InsideKind);
+  std::transform(body.Boundary.Kinds.begin(), body.Boundary.Kinds.end(), kinds.begin(),
+    [](SurfaceVertexKind kind) { return static_cast<std::uint8_t>(kind); });
+  return kinds;
+}
+
+double WholeVolume(const BitingBody& body)
+{
+  double volume = 0.0;
+  for (std::size_t corner = 0; corner < body.Corners.size(); corner += 4)
+  {
+    const auto at = [&body, corner](std::size_t k) -> const Point3&
+    { return body.Points[static_cast<std::size_t>(body.Corners[corner + k])]; };
+    volume += VolumeOf({ at(0), at(1), at(2), at(3) });
+  }
+  return volume;
+}
+
+} // namespace
+
+std::string BitingBodyToGrid(BitingBody& body, const CheckedSurface& surface,
+  const Drawing& drawing, vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Monitor& monitor)
+{
+  Pulse pulse(monitor);
+  BoundaryToPolyData(body, surface, drawing, boundary, pulse);
+  mesh->Initialize();
+  mesh->SetPoints(MakePoints(body.Points, VTK_DOUBLE, pulse));
+  vtkNew<vtkCellArray> cells;
+  SetCells(cells, 4, body.Corners, pulse);
+  mesh->SetCells(VTK_TETRA, cells);
+  vtkPointData* pointData = mesh->GetPointData();
+  AddArray<vtkIntArray>(pointData, "BiteOrder", body.BiteOrders, pulse);
+  AddArray<vtkUnsignedCharArray>(pointData, "VertexKind", KindsOf(body), pulse);
+  AddArray<vtkIdTypeArray>(pointData, "OriginalPointId", body.OriginalPoints, pulse);
+  AddArray<vtkIdTypeArray>(mesh->GetCellData(), "RegionId", body.Regions, pulse);
+  MeasuredTetrahedra measured;
+  measured.Points = body.Points;
+  measured.Spacing = body.Spacing;
+  measured.Corners = body.Corners;
+  measured.Cells.resize(body.Regions.size());
+  std::iota(measured.Cells.begin(), measured.Cells.end(), 0);
+  measured.Quality =
+    MeasureTetrahedra({ measured.Points, measured.Spacing, measured.Corners }, monitor);
+  measured.Write(mesh);
+  vtkFieldData* figures = mesh->GetFieldData();
+  for (const char* name : { "EulerNumber", "LargestDeviation" })
+  {
+    figures->AddArray(boundary->GetFieldData()->GetArray(name));
+  }
+  AddFigure(figures, "Volume", WholeVolume(body));
+  std::ostringstream text;
+  text.precision(3);
+  text << "Largest deviation from the surface: "
+       << figures->GetArray("LargestDeviation")->GetComponent(0, 0) << " f\nVolume: ";
+  text.precision(6);
+  text << WholeVolume(body)
+       << "\nEuler number of the boundary: " << figures->GetArray("EulerNumber")->GetComponent(0, 0)
+       << "\n";
+  return measured.Summary() + text.str();
+}
+
+} // namespace biting

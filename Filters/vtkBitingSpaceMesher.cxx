@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkBitingSpaceMesher.h"
+
+#include "Bridge/Drawing/CellTags.h"
+#include "Bridge/Run/ProblemReport.h"
+#include "Bridge/Source/SpaceSpacing.h"
+#include "vtkBitingSpaceMesherExecution.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPolyData.h"
+
+#include <algorithm> // for max, transform
+#include <utility>   // for move
+
+VTK_ABI_NAMESPACE_BEGIN
+
+static_assert(static_cast<int>(biting::ProblemCode::TooThin) == vtkBitingSpaceMesher::TOO_THIN &&
+    static_cast<int>(biting::ProblemCode::TooSharp) == vtkBitingSpaceMesher::TOO_SHARP &&
+    static_cast<int>(biting::ProblemCode::LostFeatures) == vtkBitingSpaceMesher::LOST_FEATURES,
+  "The kinds of problems that users see are those of the kernel.");
+
+//------------------------------------------------------------------------------
+vtkBitingSpaceMesher::vtkBitingSpaceMesher()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+int vtkBitingSpaceMesher::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBitingSpaceMesher::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Summary.clear();
+  return biting::RunOnFirstRank(this, this->ErrorCode, { request, inputVector, outputVector },
+    [this, outputVector](const biting::WholeInputs& inputs)
+    { this->NewExecution()->Run(inputs[0], inputs[1], outputVector); });
+}
+
+//------------------------------------------------------------------------------
+vtkBitingSpaceMesher::Execution::Execution(
+  vtkBitingSpaceMesher* filter, const std::vector<double>& shares, double defaultSpacing)
+  : FilterRun({ filter, &filter->ErrorCode, &filter->Summary, &filter->IsStopping,
+                filter->NumberOfThreads },
+      shares)
+  , Filter(filter)
+  , DefaultSpacing(defaultSpacing)
+{
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingSpaceMesher::Execution::Run(const biting::WholeInput& surface,
+  const biting::WholeInput& source, vtkInformationVector* outputs)
+{
+  const auto run = [this, &surface, &source, outputs]()
+  {
+    if (this->Gather(surface, source) && this->ReadParameters() && this->ReadSurface() &&
+      this->Check() && this->ReadRegions() && this->ReadSpacing() && this->Mesh())
+    {
+      this->Progress.BeginStage("Writing the mesh");
+      this->Filter->Summary = this->Write(outputs) + this->Filter->Summary;
+    }
+    biting::AddPlacesInSpace(this->Problems, this->Places);
+    biting::ProblemsToPolyData(this->Places, vtkPolyData::GetData(outputs, PROBLEMS));
+  };
+  this->Guard(outputs, run);
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingSpaceMesher::Execution::Gather(
+  const biting::WholeInput& surface, const biting::WholeInput& source)
+{
+  if (!this->AcceptComplete({ &surface, &source }))
+  {
+    return false;
+  }
+  this->Drawing = biting::ReadDrawing(surface.Make());
+  this->Source = source.Make();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingSpaceMesher::Execution::ReadParameters()
+{
+  const vtkBitingSpaceMesher& filter = *this->Filter;
+  this->Spacing.Uniform = filter.UniformSpacing;
+  this->Spacing.Scale = filter.SpacingScale;
+  this->Spacing.Minimum = filter.MinimumSpacing;
+  this->Spacing.Maximum = filter.MaximumSpacing;
+  this->Spacing.Gradation = filter.Gradation;
+  this->Options.Gradation = filter.Gradation;
+  this->Options.LimitByFeatureSize = filter.LimitByFeatureSize;
+  this->Options.FeatureAngle = filter.FeatureAngle;
+  this->Options.BoundaryTolerance = filter.BoundaryTolerance;
+  this->Options.MaximumNumberOfVertices = filter.MaximumNumberOfVertices;
+  this->Options.Relaxation = filter.Relaxation;
+  this->Options.KeepBites = filter.GenerateBites;
+  return this->Accept(biting::CheckSpacingParameters(this->Spacing)) &&
+    this->Accept(biting::CheckAtLeastZero("Boundary Tolerance", filter.BoundaryTolerance)) &&
+    this->Accept(biting::CheckMergeTolerance(filter.MergeTolerance)) &&
+    this->Accept(biting::CheckMostVertices(filter.MaximumNumberOfVertices)) &&
+    this->ReadOwnParameters();
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingSpaceMesher::Execution::ReadSurface()
+{
+  this->Progress.BeginStage("Reading the surface");
+  if (!this->Accept(biting::SurfaceFromDrawing(this->Drawing, this->Given, this->Progress)) ||
+    this->WasAborted())
+  {
+    return false;
+  }
+  const bool isEmpty = this->Given.Mesh.NumberOfTriangles() == 0;
+  return this->Accept(isEmpty && this->Drawing.NumberOfCells > 0
+             ? "The input has no surface to mesh: cells of two dimensions."
+             : "") &&
+    !isEmpty;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingSpaceMesher::Execution::Check()
+{
+  biting::SurfaceCheckOptions options;
+  const double merged = this->Filter->MergeTolerance * this->Given.Mesh.Bounds().Diagonal();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    options.Rounding[axis] = std::max(this->Given.Rounding.Axes[axis], merged);
+  }
+  options.Noise = this->Given.Rounding.Most;
+  options.FeatureAngle = this->Filter->FeatureAngle;
+  biting::ProblemList found;
+  this->Surface = biting::CheckSurface(std::move(this->Given.Mesh), options, found, this->Progress);
+  for (const biting::ProblemGroup& group : found.Groups())
+  {
+    const bool isMeshed = (this->TakesOpen() && group.Code == biting::ProblemCode::OpenEdges) ||
+      group.Code == biting::ProblemCode::NonManifoldEdges;
+    for (const biting::Problem& problem : group.First)
+    {
+      if (!isMeshed)
+      {
+        this->Problems.Add(problem);
+      }
+    }
+  }
+  return this->AcceptProblems(nullptr) && !this->WasAborted();
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingSpaceMesher::Execution::ReadRegions()
+{
+  biting::Pulse pulse(this->Progress);
+  std::vector<biting::Id>& numbers = this->RegionNumbers;
+  if (!this->Accept(
+        biting::FindRegionNumbers(this->Drawing, this->Filter->RegionArray, numbers, pulse)))
+  {
+    return false;
+  }
+  this->Options.Regions = this->Surface.Shells.RegionOf;
+  if (!numbers.empty())
+  {
+    const std::vector<biting::Id>& cells = this->Surface.Mesh.Cells;
+    std::transform(cells.begin(), cells.end(), this->Options.Regions.begin(),
+      [&numbers](biting::Id cell) { return numbers[static_cast<std::size_t>(cell)]; });
+  }
+  return !pulse.HasStopped();
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingSpaceMesher::Execution::ReadSpacing()
+{
+  biting::SourceData source;
+  if (this->Source)
+  {
+    source = this->Choose(this->Filter->GetInputArrayInformation(1), this->Source);
+  }
+  if (!source.Chosen.Array && this->Spacing.Uniform == 0.0)
+  {
+    this->Spacing.Uniform = this->DefaultSpacing * this->Surface.Figures.Diagonal;
+  }
+  return this->Accept(biting::MakeSpaceSpacing(source, this->Spacing, this->Surface.Mesh.Bounds(),
+           this->Options.Spacing, this->Places, this->Progress)) &&
+    !this->WasAborted();
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingSpaceMesher::Execution::Mesh()
+{
+  this->MakeMesh();
+  const bool isMade = this->AcceptProblems(nullptr) && !this->WasAborted();
+  this->WarnOfRepairs(nullptr);
+  return isMade;
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingSpaceMesher::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n"
+     << indent << "BoundaryTolerance: " << this->BoundaryTolerance << "\n"
+     << indent << "MergeTolerance: " << this->MergeTolerance << "\n"
+     << indent << "RegionArray: " << this->RegionArray << "\n";
+}
+
+VTK_ABI_NAMESPACE_END

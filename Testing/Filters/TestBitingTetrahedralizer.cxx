@@ -1,0 +1,390 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FilterTesting.h"
+#include "SeenProblems.h"
+#include "SurfaceTesting.h"
+
+#include "vtkBitingTetrahedralizer.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellType.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm> // for is_permutation, min
+#include <map>       // for regions
+
+using namespace testing_filters;
+
+namespace
+{
+
+vtkSmartPointer<vtkBitingTetrahedralizer> Filled(vtkDataObject* surface, double spacing)
+{
+  auto filter = vtkSmartPointer<vtkBitingTetrahedralizer>::New();
+  filter->SetInputData(surface);
+  filter->SetUniformSpacing(spacing);
+  filter->Update();
+  return filter;
+}
+
+double VolumeOf(vtkDataSet* mesh, vtkIdType cell)
+{
+  vtkNew<vtkIdList> corners;
+  mesh->GetCellPoints(cell, corners);
+  EXPECT_EQ(corners->GetNumberOfIds(), 4);
+  std::array<Place, 4> at;
+  for (vtkIdType k = 0; k < 4; ++k)
+  {
+    at[static_cast<std::size_t>(k)] = PointOf(mesh, corners->GetId(k));
+  }
+  std::array<Place, 3> side;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      side[k][d] = at[k + 1][d] - at[0][d];
+    }
+  }
+  double six = 0.0;
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    const std::size_t e = (d + 1) % 3;
+    const std::size_t f = (d + 2) % 3;
+    six += side[2][d] * (side[0][e] * side[1][f] - side[0][f] * side[1][e]);
+  }
+  return six / 6.0;
+}
+
+/// Of each region; all cells are tetrahedra of positive volume.
+std::map<int, double> VolumesOf(vtkUnstructuredGrid* mesh)
+{
+  std::map<int, double> volumes;
+  vtkDataArray* regions = mesh->GetCellData()->GetArray("RegionId");
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    EXPECT_EQ(mesh->GetCellType(cell), VTK_TETRA);
+    const double volume = VolumeOf(mesh, cell);
+    EXPECT_GT(volume, 0.0);
+    volumes[static_cast<int>(regions->GetTuple1(cell))] += volume;
+  }
+  return volumes;
+}
+
+/// Each triangle of the boundary is a facet of the cell that it names, with the region of that.
+void CheckBoundary(vtkBitingTetrahedralizer* filter)
+{
+  vtkUnstructuredGrid* mesh = filter->GetOutput();
+  vtkPolyData* boundary = filter->GetBoundary();
+  vtkDataArray* points = boundary->GetPointData()->GetArray("MeshPointId");
+  vtkDataArray* cells = boundary->GetCellData()->GetArray("MeshCellId");
+  vtkDataArray* regions = boundary->GetCellData()->GetArray("RegionId");
+  ASSERT_TRUE(points && cells && regions);
+  vtkNew<vtkIdList> triangle;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType k = 0; k < boundary->GetNumberOfCells(); ++k)
+  {
+    const auto cell = static_cast<vtkIdType>(cells->GetTuple1(k));
+    boundary->GetCellPoints(k, triangle);
+    mesh->GetCellPoints(cell, corners);
+    EXPECT_EQ(regions->GetTuple1(k), mesh->GetCellData()->GetArray("RegionId")->GetTuple1(cell));
+    for (const vtkIdType corner : *triangle)
+    {
+      const auto of = static_cast<vtkIdType>(points->GetTuple1(corner));
+      EXPECT_GE(corners->IsId(of), 0);
+      EXPECT_EQ(PointOf(boundary, corner), PointOf(mesh, of));
+    }
+  }
+}
+
+bool AreSameGrids(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
+{
+  return AreSameBytes(a->GetPoints()->GetData(), b->GetPoints()->GetData()) &&
+    AreSameBytes(a->GetCells()->GetConnectivityArray(), b->GetCells()->GetConnectivityArray()) &&
+    AreSameArrays(a->GetPointData(), b->GetPointData()) &&
+    AreSameArrays(a->GetCellData(), b->GetCellData()) &&
+    AreSameArrays(a->GetFieldData(), b->GetFieldData());
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> CopyOf(vtkUnstructuredGrid* mesh)
+{
+  auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  copy->DeepCopy(mesh);
+  return copy;
+}
+
+vtkSmartPointer<vtkPolyData> Together(const std::vector<vtkSmartPointer<vtkPolyData>>& surfaces)
+{
+  vtkNew<vtkAppendPolyData> all;
+  for (const auto& surface : surfaces)
+  {
+    all->AddInputData(surface);
+  }
+  all->Update();
+  return all->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> WithMaterial(vtkSmartPointer<vtkPolyData> surface, double material)
+{
+  const auto count = static_cast<std::size_t>(surface->GetNumberOfCells());
+  AddArray<vtkIntArray>(surface->GetCellData(), "Material", std::vector<double>(count, material));
+  return surface;
+}
+
+std::string ReasonOf(vtkBitingTetrahedralizer* filter)
+{
+  Messages messages(filter);
+  filter->Update();
+  EXPECT_EQ(messages.Errors.size(), 1u);
+  EXPECT_EQ(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
+  EXPECT_TRUE(IsEmpty(filter->GetOutput()) && IsEmpty(filter->GetBoundary()));
+  EXPECT_TRUE(Has(filter->GetSummary(), "Error: "));
+  return messages.Errors.empty() ? "" : messages.Errors.front();
+}
+
+} // namespace
+
+TEST(BitingTetrahedralizer, HasTheDefaultsOfTheMesherOfSurfaces)
+{
+  vtkNew<vtkBitingTetrahedralizer> filter;
+  EXPECT_EQ(filter->GetBiteShape(), vtkBitingTetrahedralizer::SPHERE);
+  EXPECT_EQ(filter->GetBitingConstant(), 0.0);
+  EXPECT_EQ(filter->GetMaximumNumberOfBites(), -1);
+  EXPECT_EQ(filter->GetFeatureAngle(), 40.0);
+  EXPECT_EQ(filter->GetBoundaryTolerance(), 0.1);
+  EXPECT_TRUE(filter->GetRelaxation() && filter->GetLimitByFeatureSize());
+  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 4);
+  filter->SetInputData(Cube());
+  filter->Update();
+  double range[2]; // 4 % of the diagonal, such that edges have whole numbers of it
+  filter->GetOutput()->GetPointData()->GetArray("Spacing")->GetRange(range);
+  EXPECT_NEAR(range[1], 0.04 * std::sqrt(3.0), 0.003);
+}
+
+TEST(BitingTetrahedralizer, FillsABallWithGoodTetrahedraOfTheWantedSize)
+{
+  const auto filter = Filled(Sphere(), 0.1);
+  vtkUnstructuredGrid* mesh = filter->GetOutput();
+  const double volume = VolumesOf(mesh)[0];
+  EXPECT_NEAR(volume, 4.0 / 3.0 * std::acos(-1.0) * 0.125, 0.02);
+  EXPECT_NEAR(volume, Figure(mesh, "Volume"), 1e-12);
+  EXPECT_EQ(Figure(mesh, "EulerNumber"), 2.0);
+  EXPECT_LT(Figure(mesh, "LargestDeviation"), 0.15);
+  EXPECT_NEAR(Figure(mesh, "MeanRelativeLength"), 1.0, 0.07);
+  EXPECT_GT(Figure(mesh, "MeanConformity"), 0.8);
+  EXPECT_GT(Figure(mesh, "SmallestDihedralAngle"), 25.0);
+  CheckBoundary(filter);
+  EXPECT_EQ(filter->GetProblems()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(filter->GetBites()->GetNumberOfPoints(), 0);
+  for (const char* name : { "Spacing", "NearestNeighborDistance", "Conformity", "BiteOrder",
+         "VertexKind", "OriginalPointId" })
+  {
+    EXPECT_TRUE(mesh->GetPointData()->GetArray(name)) << name;
+  }
+  for (const char* name : { "RegionId", "MinimumDihedralAngle", "RadiusEdgeRatio", "AspectRatio" })
+  {
+    EXPECT_TRUE(mesh->GetCellData()->GetArray(name)) << name;
+  }
+  EXPECT_TRUE(Has(filter->GetSummary(), "Euler number of the boundary: 2"));
+}
+
+TEST(BitingTetrahedralizer, KeepsCornersAndTagsOfACube)
+{
+  auto cube = Cube();
+  AddArray<vtkIntArray>(cube->GetCellData(), "Tag", { 5.0, 6.0, 7.0, 8.0, 9.0, 10.0 });
+  const auto filter = Filled(cube, 0.15);
+  vtkUnstructuredGrid* mesh = filter->GetOutput();
+  EXPECT_NEAR(VolumesOf(mesh)[0], 1.0, 1e-9);
+  CheckBoundary(filter);
+  vtkDataArray* kinds = mesh->GetPointData()->GetArray("VertexKind");
+  vtkDataArray* original = mesh->GetPointData()->GetArray("OriginalPointId");
+  std::map<int, int> counts;
+  for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
+  {
+    const auto kind = static_cast<int>(kinds->GetTuple1(point));
+    ++counts[kind];
+    if (kind == vtkBitingTetrahedralizer::CORNER)
+    {
+      const auto of = static_cast<vtkIdType>(original->GetTuple1(point));
+      EXPECT_EQ(PointOf(mesh, point), PointOf(cube, of));
+    }
+  }
+  EXPECT_EQ(counts[vtkBitingTetrahedralizer::CORNER], 8);
+  EXPECT_GE(counts[vtkBitingTetrahedralizer::FEATURE], 12 * 5);
+  EXPECT_GE(counts[vtkBitingTetrahedralizer::SURFACE], 6 * 25);
+  EXPECT_GE(counts[vtkBitingTetrahedralizer::INSIDE], 100);
+  std::map<int, double> areas; // of tags
+  vtkPolyData* boundary = filter->GetBoundary();
+  vtkDataArray* tags = boundary->GetCellData()->GetArray("Tag");
+  ASSERT_TRUE(tags);
+  for (vtkIdType cell = 0; cell < boundary->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkPolyData> one;
+    one->SetPoints(boundary->GetPoints());
+    one->AllocateExact(1, 3);
+    vtkNew<vtkIdList> corners;
+    boundary->GetCellPoints(cell, corners);
+    one->InsertNextCell(VTK_TRIANGLE, corners);
+    areas[static_cast<int>(tags->GetTuple1(cell))] += AreaOf(one);
+  }
+  EXPECT_EQ(areas.size(), 6u);
+  for (const auto& [tag, area] : areas)
+  {
+    EXPECT_NEAR(area, 1.0, 1e-9) << tag;
+  }
+}
+
+TEST(BitingTetrahedralizer, LeavesCavitiesEmptyAndFillsTwoMaterialsWithAWallBetween)
+{
+  const double ball = VolumesOf(Filled(Sphere(0.25, 30), 0.12)->GetOutput())[0];
+  const auto cavity = Filled(Together({ Cube(), Sphere(0.25, 30) }), 0.12);
+  EXPECT_EQ(Figure(cavity->GetOutput(), "EulerNumber"), 4.0);
+  EXPECT_NEAR(VolumesOf(cavity->GetOutput())[0], 1.0 - ball, 0.005);
+  CheckBoundary(cavity);
+
+  auto both = vtkSmartPointer<vtkBitingTetrahedralizer>::New();
+  both->SetInputData(Together({ WithMaterial(Cube(), 3.0), WithMaterial(Sphere(0.25, 30), 7.0) }));
+  both->SetUniformSpacing(0.12);
+  both->SetRegionArray("Material");
+  both->Update();
+  std::map<int, double> volumes = VolumesOf(both->GetOutput());
+  ASSERT_EQ(volumes.size(), 2u);
+  EXPECT_NEAR(volumes[0] + volumes[1], 1.0, 1e-9);
+  EXPECT_NEAR(volumes[1], ball, 0.005);
+  CheckBoundary(both);
+  EXPECT_TRUE(both->GetBoundary()->GetCellData()->GetArray("Material"));
+}
+
+TEST(BitingTetrahedralizer, FollowsASourceOfSpace)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(21, 3, 3);
+  image->SetOrigin(-0.5, -0.5, -0.5);
+  image->SetSpacing(0.05, 0.5, 0.5);
+  std::vector<double> values;
+  for (vtkIdType point = 0; point < image->GetNumberOfPoints(); ++point)
+  {
+    values.push_back(0.05 + 0.15 * (image->GetPoint(point)[0] + 0.5));
+  }
+  AddArray<vtkDoubleArray>(image->GetPointData(), "Spacing", values);
+  vtkNew<vtkBitingTetrahedralizer> filter;
+  filter->SetInputData(Sphere());
+  filter->SetSpacingSourceData(image);
+  filter->Update();
+  EXPECT_NEAR(Figure(filter->GetOutput(), "MeanRelativeLength"), 1.0, 0.1);
+  EXPECT_GT(Figure(filter->GetOutput(), "MeanConformity"), 0.75);
+}
+
+TEST(BitingTetrahedralizer, RefusesWithAPlaceWhatItCannotFill)
+{
+  vtkNew<vtkBitingTetrahedralizer> filter;
+  filter->SetInputData(UnitSquare());
+  EXPECT_TRUE(Has(ReasonOf(filter), "no surface"));
+  auto open = Cube();
+  open->BuildCells();
+  open->DeleteCell(0);
+  open->RemoveDeletedCells();
+  filter->SetInputData(open);
+  const std::string reason = ReasonOf(filter);
+  EXPECT_TRUE(Has(reason, "Open edges") && Has(reason, "near (")) << reason;
+  EXPECT_EQ(ReadProblems(filter->GetProblems()).size(), 1u);
+  filter->SetInputData(Together({ Cube(2.0), Sphere(1.2) }));
+  EXPECT_TRUE(Has(ReasonOf(filter), "Self-crossings"));
+  filter->SetInputData(Cube());
+  filter->SetBitingConstant(2.0);
+  EXPECT_TRUE(Has(ReasonOf(filter), "Biting Constant"));
+  filter->SetBitingConstant(0.0);
+  filter->SetMaximumNumberOfBites(0);
+  EXPECT_TRUE(Has(ReasonOf(filter), "Maximum Number Of Bites"));
+  filter->SetMaximumNumberOfBites(-1);
+  filter->SetRegionArray("Nothing");
+  EXPECT_TRUE(Has(ReasonOf(filter), "Nothing"));
+  filter->SetRegionArray("");
+  filter->SetUniformSpacing(1e-3);
+  EXPECT_TRUE(Has(ReasonOf(filter), "Maximum Number Of Vertices"));
+}
+
+TEST(BitingTetrahedralizer, HasNothingToSayOfNothing)
+{
+  vtkNew<vtkBitingTetrahedralizer> filter;
+  Messages messages(filter);
+  filter->SetInputData(vtkNew<vtkPolyData>());
+  filter->Update();
+  EXPECT_TRUE(messages.Errors.empty() && messages.Warnings.empty());
+  EXPECT_TRUE(IsEmpty(filter->GetOutput()));
+}
+
+TEST(BitingTetrahedralizer, IsTheSameWithAnyNumberOfThreadsAndForAnyKindOfInput)
+{
+  auto sphere = Sphere(0.5, 30);
+  auto filter = Filled(sphere, 0.15);
+  const auto first = CopyOf(filter->GetOutput());
+  for (const int threads : { 1, 2, 8 })
+  {
+    filter->SetNumberOfThreads(threads);
+    filter->Update();
+    EXPECT_TRUE(AreSameGrids(first, filter->GetOutput())) << threads;
+  }
+  filter->SetGenerateBites(true);
+  filter->Update();
+  EXPECT_TRUE(AreSameGrids(first, filter->GetOutput()));
+  EXPECT_GE(filter->GetBites()->GetNumberOfPoints(), 200);
+  EXPECT_TRUE(filter->GetBites()->GetPointData()->GetArray("Radius"));
+
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(sphere->GetPoints());
+  grid->SetCells(VTK_TRIANGLE, sphere->GetPolys());
+  EXPECT_TRUE(AreSameGrids(first, Filled(grid, 0.15)->GetOutput()));
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, sphere);
+  EXPECT_TRUE(AreSameGrids(first, Filled(blocks, 0.15)->GetOutput()));
+}
+
+TEST(BitingTetrahedralizer, BitesCubesAndStopsEarly)
+{
+  vtkNew<vtkBitingTetrahedralizer> filter;
+  filter->SetInputData(Cube());
+  filter->SetUniformSpacing(0.15);
+  filter->SetBiteShapeToCube();
+  filter->Update();
+  EXPECT_NEAR(VolumesOf(filter->GetOutput())[0], 1.0, 1e-9);
+  EXPECT_NEAR(Figure(filter->GetOutput(), "MeanRelativeLength"), 1.0, 0.15);
+  const vtkIdType all = filter->GetOutput()->GetNumberOfPoints();
+  filter->SetMaximumNumberOfBites(all - 100);
+  filter->Update();
+  EXPECT_LT(filter->GetOutput()->GetNumberOfPoints(), all - 90);
+  EXPECT_NEAR(Figure(filter->GetOutput(), "Volume"), 1.0, 1e-9);
+}
+
+TEST(BitingTetrahedralizer, LeavesNothingWhenItIsAbortedAndWorksAgain)
+{
+  auto filter = Filled(Sphere(0.5, 30), 0.12);
+  const auto first = CopyOf(filter->GetOutput());
+  for (const double at : { 0.0, 0.05, 0.2, 0.5, 0.8 })
+  {
+    vtkNew<vtkCallbackCommand> stop;
+    double limit = at;
+    stop->SetClientData(&limit);
+    stop->SetCallback(
+      [](vtkObject* caller, unsigned long, void* data, void* progress)
+      {
+        if (*static_cast<double*>(progress) > *static_cast<double*>(data))
+        {
+          vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+        }
+      });
+    const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
+    filter->Modified();
+    filter->Update();
+    filter->RemoveObserver(tag);
+    EXPECT_TRUE(IsEmpty(filter->GetOutput()) && IsEmpty(filter->GetBoundary())) << at;
+  }
+  filter->Modified();
+  filter->Update();
+  EXPECT_TRUE(AreSameGrids(first, filter->GetOutput()));
+}
