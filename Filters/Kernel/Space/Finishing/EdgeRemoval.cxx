@@ -74,7 +74,7 @@ bool EdgeRemoval::Remove(Id cell, std::size_t edge)
   {
     this->Fill(this->Links[k], 0, this->Links[k].Size - 1);
   }
-  this->Tets.Apply(this->Change);
+  this->Change.Apply(this->Tets);
   return true;
 }
 
@@ -186,7 +186,8 @@ bool EdgeRemoval::IsFlippable() const
   const Id first = this->Records[0];
   const Id second = this->Records[1];
   const std::size_t sides = this->Tets.IsInterface(first) ? 2 : 1;
-  return this->Tets.TagOf(first) == this->Tets.TagOf(second) &&
+  const std::vector<Id>& tags = this->Tets.Body.FacetTags;
+  return tags[At(first)] == tags[At(second)] &&
     this->Tets.IsInterface(first) == this->Tets.IsInterface(second) &&
     sides == this->NumberOfLinks &&
     (this->Links[0].Size > 2 || this->Links[1].Size > 2 || sides == 1);
@@ -302,7 +303,7 @@ bool EdgeRemoval::Split(Id cell)
   {
     if (this->FindLinks(cell, edge) && this->NumberOfRecords == 0 && this->FillFromInside())
     {
-      this->Tets.Apply(this->Change);
+      this->Change.Apply(this->Tets);
       return true;
     }
   }
@@ -391,7 +392,7 @@ bool EdgeRemoval::Flip(Id slot)
   }
   this->Change.Cells = { slot >> 2, twin >> 2 };
   this->Change.Regions.assign(3, this->Tets.Mesh.Labels[At(slot >> 2)]);
-  this->Tets.Apply(this->Change);
+  this->Change.Apply(this->Tets);
   return true;
 }
 

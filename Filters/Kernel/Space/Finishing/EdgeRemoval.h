@@ -4,6 +4,7 @@
 #ifndef BitingEdgeRemoval_h
 #define BitingEdgeRemoval_h
 
+#include "CellChange.h"
 #include "GroundNormals.h"
 
 #include <array>   // for tables
@@ -74,7 +75,7 @@ private:
 
   BodyTets& Tets;
   const GroundNormals& Normals;
-  BodyTets::Change Change;
+  CellChange Change;
   Id A = NoId; ///< the edge is from A to B
   Id B = NoId;
   double Before = 0.0; ///< badness of the worst cell about it
