@@ -51,12 +51,6 @@ public:
   /// Whether the edge is one of those that stay.
   bool IsKept(Id a, Id b) const;
 
-  bool IsPositive(const Tetrahedron& t) const
-  {
-    return Orient3D(this->Mesh.PointAt(t[0]), this->Mesh.PointAt(t[1]), this->Mesh.PointAt(t[2]),
-             this->Mesh.PointAt(t[3])) > 0;
-  }
-
   double BadnessOf(const Tetrahedron& t) const
   {
     return TetShape(this->Mesh.PointAt(t[0]), this->Mesh.PointAt(t[1]), this->Mesh.PointAt(t[2]),

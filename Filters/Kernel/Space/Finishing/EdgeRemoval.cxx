@@ -50,6 +50,13 @@ Id EdgeRemoval::SlotOf(Id cell, Id vertex) const
   return slot;
 }
 
+bool EdgeRemoval::IsPositive(const BodyTets::Tetrahedron& t) const
+{
+  const TetMesh& mesh = this->Tets.Mesh;
+  return Orient3D(mesh.PointAt(t[0]), mesh.PointAt(t[1]), mesh.PointAt(t[2]), mesh.PointAt(t[3])) >
+    0;
+}
+
 bool EdgeRemoval::Remove(Id cell, std::size_t edge)
 {
   if (!this->FindLinks(cell, edge) || (this->NumberOfRecords > 0 && !this->IsFlippable()))
@@ -232,8 +239,7 @@ double EdgeRemoval::Cost(const std::array<Id, 3>& triangle, double limit) const
   const BodyTets::Tetrahedron below{ this->A, triangle[0], triangle[1], triangle[2] };
   double cost = this->Tets.BadnessOf(above);
   cost = cost < limit ? std::max(cost, this->Tets.BadnessOf(below)) : cost;
-  return cost < limit && this->Tets.IsPositive(above) && this->Tets.IsPositive(below) ? cost
-                                                                                      : Infinity;
+  return cost < limit && this->IsPositive(above) && this->IsPositive(below) ? cost : Infinity;
 }
 
 void EdgeRemoval::Fill(const Link& link, std::size_t i, std::size_t j)
@@ -384,7 +390,7 @@ bool EdgeRemoval::Flip(Id slot)
   {
     const BodyTets::Tetrahedron filling{ d, e, this->Tets.Mesh.FacetCorner(slot, k),
       this->Tets.Mesh.FacetCorner(slot, (k + 1) % 3) };
-    if (!(this->Tets.BadnessOf(filling) < limit) || !this->Tets.IsPositive(filling))
+    if (!(this->Tets.BadnessOf(filling) < limit) || !this->IsPositive(filling))
     {
       return false;
     }

@@ -72,6 +72,7 @@ private:
   double WorstAround(const Point3& place, double limit) const;
   bool IsNewEdge(Id p, Id q, bool isInCell);
   Id SlotOf(Id cell, Id vertex) const;
+  bool IsPositive(const BodyTets::Tetrahedron& t) const;
 
   BodyTets& Tets;
   const GroundNormals& Normals;
