@@ -175,6 +175,7 @@ set(biting_kernel_sources
   Space/Interior/InteriorBites.cxx
   Space/Finishing/BodyRelaxation.cxx
   Space/Finishing/BodyTets.cxx
+  Space/Finishing/CellChange.cxx
   Space/Finishing/EdgeRemoval.cxx
   Space/Finishing/GroundNormals.cxx
   Space/Finishing/VertexMoves.cxx

@@ -9,35 +9,6 @@
 namespace biting
 {
 
-namespace
-{
-
-void SortThree(std::array<Id, 3>& c)
-{
-  if (c[1] < c[0])
-  {
-    std::swap(c[0], c[1]);
-  }
-  if (c[2] < c[1])
-  {
-    std::swap(c[1], c[2]);
-  }
-  if (c[1] < c[0])
-  {
-    std::swap(c[0], c[1]);
-  }
-}
-
-} // namespace
-
-void BodyTets::Change::Clear()
-{
-  this->Cells.clear();
-  this->Filling.clear();
-  this->Regions.clear();
-  this->Facets.clear();
-}
-
 BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
   : Body(body)
   , NumberOfGiven(static_cast<Id>(body.Points.size()))
@@ -116,9 +87,10 @@ void BodyTets::LinkAll(Pulse& pulse)
 /// Records come first in a bucket.
 void BodyTets::LinkBucket(const IdLists::List& items)
 {
+  const auto isOpen = [this](Id item) { return item < 0 || this->Mesh.Twins[At(item)] == NoId; };
   for (const Id* item = items.begin(); item < items.end(); ++item)
   {
-    if (!this->IsOpen(*item))
+    if (!isOpen(*item))
     {
       continue;
     }
@@ -126,7 +98,7 @@ void BodyTets::LinkBucket(const IdLists::List& items)
     Id half = 0;
     for (const Id* other = item + 1; other < items.end() && half < 2; ++other)
     {
-      if (*other < 0 || !this->IsOpen(*other) || this->SortedCorners(*other) != corners)
+      if (*other < 0 || !isOpen(*other) || this->SortedCorners(*other) != corners)
       {
         continue;
       }
@@ -148,7 +120,7 @@ std::array<Id, 3> BodyTets::SortedCorners(Id item) const
   const Id* facet = item < 0 ? &this->Body.Facets[At(3 * (-2 - item))] : nullptr;
   std::array<Id, 3> corners =
     facet == nullptr ? this->FacetCorners(item) : std::array<Id, 3>{ facet[0], facet[1], facet[2] };
-  SortThree(corners);
+  std::sort(corners.begin(), corners.end());
   return corners;
 }
 
@@ -200,9 +172,10 @@ const std::vector<Id>& BodyTets::StarOf(Id vertex)
   {
     add(this->Mesh.VertexCells[At(vertex)]);
   }
-  for (std::size_t k = 0; k < this->Star.size(); ++k)
+  std::size_t next = 0;
+  while (next < this->Star.size())
   {
-    const Id own = this->Star[k];
+    const Id own = this->Star[next++];
     for (Id slot = own & ~3; slot < (own & ~3) + 4; ++slot)
     {
       const Id across = slot == own ? NoId : this->Across(slot);
@@ -213,112 +186,6 @@ const std::vector<Id>& BodyTets::StarOf(Id vertex)
     }
   }
   return this->Star;
-}
-
-/// Facets of the cavity's border and of the filling that are the same are linked.
-void BodyTets::Apply(const Change& change)
-{
-  this->Sides.clear();
-  ++this->Clock;
-  this->AddWalls(change);
-  for (const NewFacet& facet : change.Facets)
-  {
-    std::array<Id, 3> corners = facet.Corners;
-    SortThree(corners);
-    this->Sides.push_back({ corners, NoId, facet.Record, NoId });
-    this->FacetSlots[At(2 * facet.Record)] = NoId;
-    this->FacetSlots[At(2 * facet.Record + 1)] = NoId;
-  }
-  for (const Id cell : change.Cells)
-  {
-    this->Mesh.FreeCell(cell);
-  }
-  this->AddFilling(change);
-  this->LinkSides();
-}
-
-void BodyTets::AddWalls(const Change& change)
-{
-  ++this->Stamp;
-  for (const Id cell : change.Cells)
-  {
-    this->Stamps[At(cell)] = this->Stamp;
-    for (const Id corner : this->CornersOf(cell))
-    {
-      this->Mesh.VertexCells[At(corner)] = NoId;
-      this->Touched[At(corner)] = this->Clock;
-    }
-  }
-  const auto isGiven = [&change](Id record)
-  {
-    return std::any_of(change.Facets.begin(), change.Facets.end(),
-      [record](const NewFacet& facet) { return facet.Record == record; });
-  };
-  for (const Id cell : change.Cells)
-  {
-    for (Id slot = 4 * cell; slot < 4 * cell + 4; ++slot)
-    {
-      const Id record = this->RecordOf(slot);
-      const Id twin = this->Mesh.Twins[At(slot)];
-      if (record >= 0 && !isGiven(record))
-      {
-        const Id half = this->FacetSlots[At(2 * record)] == slot ? 0 : 1;
-        this->Sides.push_back({ this->SortedCorners(slot), NoId, record, half });
-      }
-      else if (record < 0 && this->Stamps[At(TetMesh::CellOf(twin))] != this->Stamp)
-      {
-        this->Sides.push_back({ this->SortedCorners(slot), twin, NoId, NoId });
-      }
-    }
-  }
-  for (const Side& side : this->Sides)
-  {
-    for (const Id corner : side.Corners)
-    {
-      this->Mesh.VertexCells[At(corner)] =
-        side.Slot != NoId ? TetMesh::CellOf(side.Slot) : this->Mesh.VertexCells[At(corner)];
-    }
-  }
-}
-
-void BodyTets::AddFilling(const Change& change)
-{
-  for (std::size_t k = 0; k < change.Filling.size(); ++k)
-  {
-    const Tetrahedron& corners = change.Filling[k];
-    const Id cell = this->Mesh.NewCell();
-    this->ResizeCells();
-    this->Tried[At(cell)] = 0;
-    std::copy(corners.begin(), corners.end(), &this->Mesh.Corners[At(4 * cell)]);
-    this->Mesh.Labels[At(cell)] = change.Regions[k];
-    this->Badness[At(cell)] = this->BadnessOf(corners);
-    for (Id slot = 4 * cell; slot < 4 * cell + 4; ++slot)
-    {
-      this->Mesh.VertexCells[At(this->VertexAt(slot))] = cell;
-      this->Sides.push_back({ this->SortedCorners(slot), slot, NoId, NoId });
-    }
-  }
-}
-
-void BodyTets::LinkSides()
-{
-  std::sort(this->Sides.begin(), this->Sides.end(),
-    [](const Side& a, const Side& b)
-    { return a.Corners != b.Corners ? a.Corners < b.Corners : a.Record > b.Record; });
-  for (std::size_t k = 0; k < this->Sides.size(); ++k)
-  {
-    const Side& first = this->Sides[k];
-    if (first.Record == NoId)
-    {
-      this->Mesh.Link(first.Slot, this->Sides[++k].Slot);
-      continue;
-    }
-    Id half = first.Half == NoId ? 0 : first.Half;
-    while (k + 1 < this->Sides.size() && this->Sides[k + 1].Corners == first.Corners)
-    {
-      this->Attach(first.Record, half++, this->Sides[++k].Slot);
-    }
-  }
 }
 
 /// Takes vertices inside away that no cell has. The new numbers of the others.

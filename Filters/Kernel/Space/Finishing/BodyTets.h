@@ -31,27 +31,6 @@ public:
 
   using Tetrahedron = std::array<Id, 4>;
 
-  /// A facet that takes the place of another one.
-  struct NewFacet
-  {
-    Id Record;
-    std::array<Id, 3> Corners;
-  };
-
-  /// Cells, and what fills the space that they took. Facets of the records named are not facets
-  /// any more; others stay.
-  struct Change
-  {
-    std::vector<Id> Cells;
-    std::vector<Tetrahedron> Filling;
-    std::vector<Id> Regions; ///< of the filling
-    std::vector<NewFacet> Facets;
-
-    void Clear();
-  };
-
-  void Apply(const Change& change);
-
   /// A vertex inside, of no cell as yet.
   Id AddVertex(const Point3& place, double size);
 
@@ -68,16 +47,9 @@ public:
   /// The record of the facet of the slot; below 0 where it has none.
   Id RecordOf(Id slot) const { return -2 - this->Mesh.Twins[At(slot)]; }
   bool IsInterface(Id record) const { return this->FacetSlots[At(2 * record + 1)] != NoId; }
-  Id TagOf(Id record) const { return this->Body.FacetTags[At(record)]; }
 
   /// Whether the edge is one of those that stay.
   bool IsKept(Id a, Id b) const;
-
-  bool IsPositive(const Tetrahedron& t) const
-  {
-    return Orient3D(this->Mesh.PointAt(t[0]), this->Mesh.PointAt(t[1]), this->Mesh.PointAt(t[2]),
-             this->Mesh.PointAt(t[3])) > 0;
-  }
 
   double BadnessOf(const Tetrahedron& t) const
   {
@@ -111,32 +83,19 @@ public:
   std::vector<std::uint32_t> Tried;      ///< of cells
 
 private:
-  /// A facet of a cavity's border or filling: by its corners in ascending order.
-  struct Side
-  {
-    std::array<Id, 3> Corners;
-    Id Slot;   ///< NoId where there is none
-    Id Record; ///< NoId where there is none
-    Id Half;   ///< of the record that this is; NoId: both are anew
-  };
+  friend class CellChange;
 
   std::vector<Id> DropUnused();
   void ResizeCells();
   void LinkAll(Pulse& pulse);
   void LinkBucket(const IdLists::List& items);
-  /// Of a code of a record, or a slot that has no twin yet.
-  bool IsOpen(Id item) const { return item < 0 || this->Mesh.Twins[At(item)] == NoId; }
   std::array<Id, 3> SortedCorners(Id item) const;
-  void AddWalls(const Change& change);
-  void AddFilling(const Change& change);
-  void LinkSides();
   void Attach(Id record, Id half, Id slot);
 
   Id NumberOfGiven;           ///< vertices
   bool IsLinked = false;      ///< not where it was stopped before
   std::vector<Id> FacetSlots; ///< two a record: of the cells on its sides, NoId beyond the boundary
   IdLists KeptEnds;           ///< of vertices on lines: the greater ends of edges that stay
-  std::vector<Side> Sides;
   std::vector<Id> Star;
   std::vector<std::uint32_t> Stamps; ///< of cells
   std::uint32_t Stamp = 0;

@@ -50,6 +50,13 @@ Id EdgeRemoval::SlotOf(Id cell, Id vertex) const
   return slot;
 }
 
+bool EdgeRemoval::IsPositive(const BodyTets::Tetrahedron& t) const
+{
+  const TetMesh& mesh = this->Tets.Mesh;
+  return Orient3D(mesh.PointAt(t[0]), mesh.PointAt(t[1]), mesh.PointAt(t[2]), mesh.PointAt(t[3])) >
+    0;
+}
+
 bool EdgeRemoval::Remove(Id cell, std::size_t edge)
 {
   if (!this->FindLinks(cell, edge) || (this->NumberOfRecords > 0 && !this->IsFlippable()))
@@ -74,7 +81,7 @@ bool EdgeRemoval::Remove(Id cell, std::size_t edge)
   {
     this->Fill(this->Links[k], 0, this->Links[k].Size - 1);
   }
-  this->Tets.Apply(this->Change);
+  this->Change.Apply(this->Tets);
   return true;
 }
 
@@ -186,7 +193,8 @@ bool EdgeRemoval::IsFlippable() const
   const Id first = this->Records[0];
   const Id second = this->Records[1];
   const std::size_t sides = this->Tets.IsInterface(first) ? 2 : 1;
-  return this->Tets.TagOf(first) == this->Tets.TagOf(second) &&
+  const std::vector<Id>& tags = this->Tets.Body.FacetTags;
+  return tags[At(first)] == tags[At(second)] &&
     this->Tets.IsInterface(first) == this->Tets.IsInterface(second) &&
     sides == this->NumberOfLinks &&
     (this->Links[0].Size > 2 || this->Links[1].Size > 2 || sides == 1);
@@ -231,8 +239,7 @@ double EdgeRemoval::Cost(const std::array<Id, 3>& triangle, double limit) const
   const BodyTets::Tetrahedron below{ this->A, triangle[0], triangle[1], triangle[2] };
   double cost = this->Tets.BadnessOf(above);
   cost = cost < limit ? std::max(cost, this->Tets.BadnessOf(below)) : cost;
-  return cost < limit && this->Tets.IsPositive(above) && this->Tets.IsPositive(below) ? cost
-                                                                                      : Infinity;
+  return cost < limit && this->IsPositive(above) && this->IsPositive(below) ? cost : Infinity;
 }
 
 void EdgeRemoval::Fill(const Link& link, std::size_t i, std::size_t j)
@@ -302,7 +309,7 @@ bool EdgeRemoval::Split(Id cell)
   {
     if (this->FindLinks(cell, edge) && this->NumberOfRecords == 0 && this->FillFromInside())
     {
-      this->Tets.Apply(this->Change);
+      this->Change.Apply(this->Tets);
       return true;
     }
   }
@@ -383,7 +390,7 @@ bool EdgeRemoval::Flip(Id slot)
   {
     const BodyTets::Tetrahedron filling{ d, e, this->Tets.Mesh.FacetCorner(slot, k),
       this->Tets.Mesh.FacetCorner(slot, (k + 1) % 3) };
-    if (!(this->Tets.BadnessOf(filling) < limit) || !this->Tets.IsPositive(filling))
+    if (!(this->Tets.BadnessOf(filling) < limit) || !this->IsPositive(filling))
     {
       return false;
     }
@@ -391,7 +398,7 @@ bool EdgeRemoval::Flip(Id slot)
   }
   this->Change.Cells = { slot >> 2, twin >> 2 };
   this->Change.Regions.assign(3, this->Tets.Mesh.Labels[At(slot >> 2)]);
-  this->Tets.Apply(this->Change);
+  this->Change.Apply(this->Tets);
   return true;
 }
 

@@ -4,6 +4,7 @@
 #ifndef BitingEdgeRemoval_h
 #define BitingEdgeRemoval_h
 
+#include "CellChange.h"
 #include "GroundNormals.h"
 
 #include <array>   // for tables
@@ -71,10 +72,11 @@ private:
   double WorstAround(const Point3& place, double limit) const;
   bool IsNewEdge(Id p, Id q, bool isInCell);
   Id SlotOf(Id cell, Id vertex) const;
+  bool IsPositive(const BodyTets::Tetrahedron& t) const;
 
   BodyTets& Tets;
   const GroundNormals& Normals;
-  BodyTets::Change Change;
+  CellChange Change;
   Id A = NoId; ///< the edge is from A to B
   Id B = NoId;
   double Before = 0.0; ///< badness of the worst cell about it

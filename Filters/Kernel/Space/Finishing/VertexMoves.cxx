@@ -251,7 +251,7 @@ bool VertexMoves::Merge(Id vertex, Id other)
     this->Change.Regions.push_back(this->Tets.Mesh.Labels[At(slot >> 2)]);
   }
   this->Move(other, place);
-  this->Tets.Apply(this->Change);
+  this->Change.Apply(this->Tets);
   return true;
 }
 

@@ -6,6 +6,7 @@
 
 #include "../../Base/Numbers.h"
 #include "BodyTets.h"
+#include "CellChange.h"
 #include "GroundNormals.h"
 
 #include <functional> // for f
@@ -69,7 +70,7 @@ private:
   const std::function<double(const Point3&)>& Size;
   std::vector<Cone> Star; ///< the worst comes first
   double MostLoad = Infinity;
-  BodyTets::Change Change;
+  CellChange Change;
 };
 
 } // namespace biting

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CellChange.h"
+
+#include <algorithm> // for any_of, copy, sort
+
+namespace biting
+{
+
+void CellChange::Clear()
+{
+  this->Cells.clear();
+  this->Filling.clear();
+  this->Regions.clear();
+  this->Facets.clear();
+}
+
+/// Facets of the cavity's border and of the filling that are the same are linked.
+void CellChange::Apply(BodyTets& tets)
+{
+  this->Sides.clear();
+  ++tets.Clock;
+  this->AddWalls(tets);
+  for (const NewFacet& facet : this->Facets)
+  {
+    std::array<Id, 3> corners = facet.Corners;
+    std::sort(corners.begin(), corners.end());
+    this->Sides.push_back({ corners, NoId, facet.Record, NoId });
+    tets.FacetSlots[At(2 * facet.Record)] = NoId;
+    tets.FacetSlots[At(2 * facet.Record + 1)] = NoId;
+  }
+  for (const Id cell : this->Cells)
+  {
+    tets.Mesh.FreeCell(cell);
+  }
+  this->AddFilling(tets);
+  this->LinkSides(tets);
+}
+
+void CellChange::AddWalls(BodyTets& tets)
+{
+  ++tets.Stamp;
+  for (const Id cell : this->Cells)
+  {
+    tets.Stamps[At(cell)] = tets.Stamp;
+    for (const Id corner : tets.CornersOf(cell))
+    {
+      tets.Mesh.VertexCells[At(corner)] = NoId;
+      tets.Touched[At(corner)] = tets.Clock;
+    }
+  }
+  const auto isGiven = [this](Id record)
+  {
+    return std::any_of(this->Facets.begin(), this->Facets.end(),
+      [record](const NewFacet& facet) { return facet.Record == record; });
+  };
+  for (const Id cell : this->Cells)
+  {
+    for (Id slot = 4 * cell; slot < 4 * cell + 4; ++slot)
+    {
+      const Id record = tets.RecordOf(slot);
+      const Id twin = tets.Mesh.Twins[At(slot)];
+      if (record >= 0 && !isGiven(record))
+      {
+        const Id half = tets.FacetSlots[At(2 * record)] == slot ? 0 : 1;
+        this->Sides.push_back({ tets.SortedCorners(slot), NoId, record, half });
+      }
+      else if (record < 0 && tets.Stamps[At(TetMesh::CellOf(twin))] != tets.Stamp)
+      {
+        this->Sides.push_back({ tets.SortedCorners(slot), twin, NoId, NoId });
+      }
+    }
+  }
+  for (const Side& side : this->Sides)
+  {
+    for (const Id corner : side.Corners)
+    {
+      tets.Mesh.VertexCells[At(corner)] =
+        side.Slot != NoId ? TetMesh::CellOf(side.Slot) : tets.Mesh.VertexCells[At(corner)];
+    }
+  }
+}
+
+void CellChange::AddFilling(BodyTets& tets)
+{
+  for (std::size_t k = 0; k < this->Filling.size(); ++k)
+  {
+    const BodyTets::Tetrahedron& corners = this->Filling[k];
+    const Id cell = tets.Mesh.NewCell();
+    tets.ResizeCells();
+    tets.Tried[At(cell)] = 0;
+    std::copy(corners.begin(), corners.end(), &tets.Mesh.Corners[At(4 * cell)]);
+    tets.Mesh.Labels[At(cell)] = this->Regions[k];
+    tets.Badness[At(cell)] = tets.BadnessOf(corners);
+    for (Id slot = 4 * cell; slot < 4 * cell + 4; ++slot)
+    {
+      tets.Mesh.VertexCells[At(tets.VertexAt(slot))] = cell;
+      this->Sides.push_back({ tets.SortedCorners(slot), slot, NoId, NoId });
+    }
+  }
+}
+
+void CellChange::LinkSides(BodyTets& tets)
+{
+  std::sort(this->Sides.begin(), this->Sides.end(),
+    [](const Side& a, const Side& b)
+    { return a.Corners != b.Corners ? a.Corners < b.Corners : a.Record > b.Record; });
+  for (std::size_t k = 0; k < this->Sides.size(); ++k)
+  {
+    const Side& first = this->Sides[k];
+    if (first.Record == NoId)
+    {
+      tets.Mesh.Link(first.Slot, this->Sides[++k].Slot);
+      continue;
+    }
+    Id half = first.Half == NoId ? 0 : first.Half;
+    while (k + 1 < this->Sides.size() && this->Sides[k + 1].Corners == first.Corners)
+    {
+      tets.Attach(first.Record, half++, this->Sides[++k].Slot);
+    }
+  }
+}
+
+} // namespace biting
