@@ -254,14 +254,12 @@ TEST(SurfaceMesher, StaysWithinTheToleranceWhereTheSurfaceCurves)
 
 TEST(SurfaceMesher, DoesNotDependOnHowFacesAreTriangulated)
 {
-  for (const Soup& body : { Torus(1.0, 0.3, 32), Sphere(0.6, 24) })
-  {
-    const Meshed whole = MakeMesh(body, Uniform(0.2));
-    const Meshed split = MakeMesh(Split(body), Uniform(0.2));
-    EXPECT_EQ(EulerNumber(whole.Mesh), EulerNumber(split.Mesh));
-    const auto count = static_cast<double>(whole.Mesh.Points.size());
-    EXPECT_NEAR(static_cast<double>(split.Mesh.Points.size()), count, 0.06 * count);
-  }
+  const Soup torus = Torus(1.0, 0.3, 32);
+  const Meshed whole = MakeMesh(torus, Uniform(0.2));
+  const Meshed split = MakeMesh(Split(torus), Uniform(0.2));
+  EXPECT_EQ(EulerNumber(whole.Mesh), EulerNumber(split.Mesh));
+  const auto count = static_cast<double>(whole.Mesh.Points.size());
+  EXPECT_NEAR(static_cast<double>(split.Mesh.Points.size()), count, 0.06 * count);
 }
 
 TEST(SurfaceMesher, MakesCornersOneThatAreNear)
