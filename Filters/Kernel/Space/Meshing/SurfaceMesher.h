@@ -88,6 +88,7 @@ struct BitingSurface
 /// - TooThin: walls, or feature lines, nearer to each other than a quarter of f;
 /// - TooSharp: faces that meet at too small an angle for f;
 /// - TooManyVertices; BadSpacing: f is not positive somewhere; Aborted.
+/// Corners between which a feature line is shorter than a tenth of f as given are one.
 /// What was repaired or given up is told: LostFeatures, feature lines that are not in the mesh.
 /// Precondition: `surface` was checked and its errors are none but open and non-manifold edges.
 /// Deterministic; does not depend on the number of threads.

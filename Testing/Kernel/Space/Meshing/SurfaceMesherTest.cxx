@@ -10,6 +10,7 @@
 #include <array>     // for corners
 #include <cmath>     // for angles
 #include <utility>   // for pairs
+#include <vector>    // for profiles
 
 namespace biting
 {
@@ -158,7 +159,138 @@ Soup Wedge(double degrees)
   return soup;
 }
 
+/// A profile of radii and heights, closed or from axis to axis, turned around the third axis.
+Soup Turned(const std::vector<std::array<double, 2>>& profile, int sides)
+{
+  Soup soup;
+  const auto at = [&profile, sides](std::size_t k, int side)
+  {
+    const double angle = 6.283185307179586 * (side % sides) / sides;
+    return Point3{ profile[k][0] * std::cos(angle), profile[k][0] * std::sin(angle),
+      profile[k][1] };
+  };
+  for (std::size_t k = 1; k < profile.size(); ++k)
+  {
+    for (int side = 0; side < sides; ++side)
+    {
+      if (profile[k - 1][0] > 0.0)
+      {
+        soup.Add(at(k - 1, side), at(k - 1, side + 1), at(k, side));
+      }
+      if (profile[k][0] > 0.0)
+      {
+        soup.Add(at(k - 1, side + 1), at(k, side + 1), at(k, side));
+      }
+    }
+  }
+  return soup;
+}
+
+Soup Torus(double radius, double tube, int sides)
+{
+  std::vector<std::array<double, 2>> profile;
+  for (int k = 0; k <= sides; ++k)
+  {
+    const double angle = 6.283185307179586 * (k % sides) / sides;
+    profile.push_back({ radius + tube * std::cos(angle), tube * std::sin(angle) });
+  }
+  return Turned(profile, 3 * sides);
+}
+
+/// Each triangle in four.
+Soup Split(const Soup& soup)
+{
+  Soup split;
+  for (std::size_t t = 0; t < soup.Mesh.NumberOfTriangles(); ++t)
+  {
+    const std::array<Point3, 3> p = soup.Mesh.Triangle(t);
+    const Point3 a = Midpoint(p[1], p[2]);
+    const Point3 b = Midpoint(p[2], p[0]);
+    const Point3 c = Midpoint(p[0], p[1]);
+    split.Add(p[0], c, b);
+    split.Add(p[1], a, c);
+    split.Add(p[2], b, a);
+    split.Add(a, b, c);
+  }
+  return split;
+}
+
+/// The prism, one unit high, over a polygon.
+Soup Prism(const std::vector<std::array<double, 2>>& polygon, const Point3& middle)
+{
+  Soup soup;
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+  {
+    const std::array<double, 2>& from = polygon[k];
+    const std::array<double, 2>& to = polygon[(k + 1) % polygon.size()];
+    const Point3 a{ from[0], from[1], 0.0 };
+    const Point3 b{ to[0], to[1], 0.0 };
+    const Point3 up{ 0.0, 0.0, 1.0 };
+    soup.Add(a, b, b + up);
+    soup.Add(a, b + up, a + up);
+    soup.Add(middle, b, a);
+    soup.Add(middle + up, a + up, b + up);
+  }
+  return soup;
+}
+
 } // namespace
+
+TEST(SurfaceMesher, StaysWithinTheToleranceWhereTheSurfaceCurves)
+{
+  const std::vector<Soup> bodies{ Turned(
+                                    { { 0.0, 0.0 }, { 0.6, 0.0 }, { 0.6, 1.0 }, { 0.0, 1.0 } }, 96),
+    Turned({ { 0.0, 0.0 }, { 0.7, 0.0 }, { 0.3, 1.0 }, { 0.0, 1.0 } }, 96), Torus(1.0, 0.35, 32) };
+  for (const Soup& body : bodies)
+  {
+    const Meshed meshed = MakeMesh(body, Uniform(0.3));
+    ASSERT_TRUE(meshed.Problems.Groups().empty());
+    EXPECT_TRUE(IsClosed(meshed.Mesh));
+    const std::vector<double>& deviations = meshed.Mesh.Deviations;
+    EXPECT_LT(*std::max_element(deviations.begin(), deviations.end()), 0.1);
+    EXPECT_GT(SmallestAngle(meshed), 30.0);
+  }
+}
+
+TEST(SurfaceMesher, DoesNotDependOnHowFacesAreTriangulated)
+{
+  const Soup torus = Torus(1.0, 0.3, 32);
+  const Meshed whole = MakeMesh(torus, Uniform(0.2));
+  const Meshed split = MakeMesh(Split(torus), Uniform(0.2));
+  EXPECT_EQ(EulerNumber(whole.Mesh), EulerNumber(split.Mesh));
+  const auto count = static_cast<double>(whole.Mesh.Points.size());
+  EXPECT_NEAR(static_cast<double>(split.Mesh.Points.size()), count, 0.06 * count);
+}
+
+TEST(SurfaceMesher, MakesCornersOneThatAreNear)
+{
+  // A chamfer of .07 f, and one of .7 f.
+  for (const double cut : { 0.01, 0.1 })
+  {
+    const Soup prism =
+      Prism({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 - cut }, { 1.0 - cut, 1.0 }, { 0.0, 1.0 } },
+        { 0.5, 0.5, 0.0 });
+    const Meshed meshed = MakeMesh(prism, Uniform(0.2));
+    ASSERT_TRUE(meshed.Problems.Groups().empty()) << cut;
+    EXPECT_TRUE(IsClosed(meshed.Mesh)) << cut;
+    EXPECT_EQ(EulerNumber(meshed.Mesh), 2) << cut;
+    EXPECT_NEAR(Volume(meshed), 1.0 - 0.5 * cut * cut, 0.3 * cut * cut) << cut;
+    const auto corners =
+      std::count(meshed.Mesh.Kinds.begin(), meshed.Mesh.Kinds.end(), SurfaceVertexKind::Corner);
+    EXPECT_EQ(corners, cut < 0.02 ? 8 : 10) << cut;
+  }
+}
+
+TEST(SurfaceMesher, DividesLinesAlongEachOtherInTurn)
+{
+  // A plate a third of the spacing thick: triangles of its rim with aligned vertices would have
+  // angles of 18 degrees.
+  const Meshed meshed = MakeMesh(BoxOf({ 3.0, 3.0, 0.0375 }), Uniform(0.36));
+  ASSERT_TRUE(meshed.Problems.Groups().empty());
+  EXPECT_TRUE(IsClosed(meshed.Mesh));
+  EXPECT_GT(SmallestAngle(meshed), 24.0);
+  EXPECT_NEAR(LengthOfLines(meshed.Mesh), 24.15, 1e-11); // vertices of lines are on them
+}
 
 TEST(SurfaceMesher, MeshesABoxWithItsEdgesAndCorners)
 {
