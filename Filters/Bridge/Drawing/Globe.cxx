@@ -6,7 +6,7 @@
 #include "../../Kernel/Base/Box.h"
 #include "../../Kernel/Base/Numbers.h"
 #include "../../Kernel/Quality/ExactSum.h"
-#include "../../Kernel/Spacing/SourceCheck.h"
+#include "../../Kernel/Spacing/Spacing.h"
 #include "../Run/ProblemReport.h"
 #include "PolylinesFromDrawing.h"
 

@@ -43,8 +43,8 @@ BlockCollar TakeCollar(const BlockDomain& block, const std::vector<std::uint8_t>
 std::vector<char> PackCollars(const BlockDomains& blocks, const std::vector<std::size_t>& numbers,
   const std::vector<BlockCollar>& collars);
 
-/// Puts them where they belong. False where the bytes are none, or of other blocks; then nothing is
-/// changed.
+/// Puts packed collars where they belong. False, and nothing is changed, where the bytes are no
+/// packed collars or those of other blocks.
 bool UnpackCollars(const std::vector<char>& bytes, const BlockDomains& blocks,
   const std::vector<std::size_t>& numbers, std::vector<BlockCollar>& collars);
 

@@ -42,8 +42,8 @@ private:
   }
 };
 
-/// Takes them out again, in the same order. Where bytes are missing it is not sound from then on,
-/// and what is taken has no meaning.
+/// Reads the values in the order in which they were written. From the first missing byte on the
+/// reader is not sound, and its values have no meaning.
 class ByteReader
 {
 public:

@@ -63,9 +63,10 @@ enum class CutEffort
   MoveEnds
 };
 
-/// The stretches of `line`, each from a piece to the next. Where one meets a piece again, comes
-/// near to a vertex or a piece in proportion to f, leaves a piece at less than 40 degrees, ends on
-/// a segment that stays uncut, or is short, the line is not good, and what is listed is of no use.
+/// The stretches of `line`, each from a piece to the next. The line is not good, and its stretches
+/// are of no use, where a stretch meets a piece again, comes near to a vertex or a piece in
+/// proportion to f, leaves a piece at less than 40 degrees, ends on a segment that stays uncut, or
+/// is short.
 CutLine MakeCutLine(
   const CutScene& scene, const AxisLine& line, CutEffort effort = CutEffort::AsItIs);
 

@@ -17,21 +17,22 @@ namespace biting
 /// Triangles of a mesh, in their order.
 using TriangleList = std::vector<Id>;
 
-/// How many steps across edges strips are wide, from what they are around; two are about a ring of
-/// vertices.
+/// The width of a strip in steps across edges, from the triangles that it surrounds. Two steps are
+/// about one ring of vertices.
 constexpr int StripSteps = 6;
 
-/// Of a mesh of so many vertices: the triangles with a corner among `seeds`, and those at most
-/// `steps` across edges from these.
+/// The triangles with a corner among `seeds`, and those at most `steps` across edges from these.
+/// `vertices` is the number of vertices of the mesh.
 TriangleList TrianglesAround(const Triangulation& mesh, std::size_t vertices,
   const std::vector<Id>& seeds, Pulse& pulse, int steps = StripSteps);
 
-/// Parts of a mesh of so many vertices, no two with a vertex in common: each grows across edges,
-/// from where another one ended, to `most` triangles. Triangles between parts are of none.
+/// Disjoint parts of a mesh with `vertices` vertices: no two have a vertex in common. Each part
+/// grows across edges, from where another one ended, to `most` triangles. Triangles between parts
+/// belong to no part.
 std::vector<TriangleList> DivideIntoParts(
   const Triangulation& mesh, std::size_t vertices, std::size_t most, Pulse& pulse);
 
-/// Some triangles as parts: those with a vertex in common are of one.
+/// The connected components of `triangles`: triangles with a common vertex are in one component.
 std::vector<TriangleList> ConnectedParts(
   const Triangulation& mesh, std::size_t vertices, const TriangleList& triangles, Pulse& pulse);
 

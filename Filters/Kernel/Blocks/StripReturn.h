@@ -38,8 +38,8 @@ StripChange ReturnStrips(const std::vector<RelaxedStrip>& strips, JoinedMesh& me
 
 /// Makes the mesh constrained Delaunay by flips, exactly, given that all edges that may not be so
 /// are opposite the corners `slots`. Where the monitor wants to stop the mesh is valid, no more.
-/// False where they came to an edge with nothing across it and no constraint: what is there is
-/// missing, and the mesh is not that of the whole.
+/// False where the flips came to an edge without a constraint and without a second triangle: the
+/// mesh of that place is missing here, and the result is not that of the whole.
 bool FlipUntilDelaunay(const std::vector<Point2>& points, std::vector<std::size_t> slots,
   Triangulation& mesh, Pulse& pulse);
 

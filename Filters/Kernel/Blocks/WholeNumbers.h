@@ -46,15 +46,14 @@ struct WholeNumbers
 WholeNumbers NumberWhole(
   const std::vector<BlockCollar>& collars, const JoinedMesh& joined, const StripChange& change);
 
-/// Which member of a crew is to have each triangle of the collars' mesh: the one that holds its
-/// block; of those that come from strips the block is the first one that has a corner for its own,
-/// or else that of a triangle nearby, across edges.
+/// The owner of each triangle of the collars' mesh: the member of the crew that holds the block of
+/// the triangle. A triangle from a strip belongs to the first block that has one of its corners
+/// alone, or else to the block of a triangle nearby, across edges.
 std::vector<Id> OwnersOfTriangles(
   const Triangulation& mesh, const WholeNumbers& numbers, const std::vector<Id>& holders);
 
-/// Whether all that is within so many rings of vertices around what triangles of different owners
-/// share is in the mesh: none of these vertices is at an edge with nothing across and no
-/// constraint.
+/// Whether the mesh has all `rings` rings around the vertices that triangles of different owners
+/// share: no vertex of these rings is at an edge without a second triangle and a constraint.
 bool HasRingsAround(const Triangulation& mesh, const std::vector<Id>& owners,
   std::size_t numberOfVertices, int rings);
 

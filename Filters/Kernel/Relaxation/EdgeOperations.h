@@ -14,9 +14,9 @@ namespace biting
 /// mark. NoId where rounding would leave a triangle without area.
 Id SplitEdge(MutableMesh& mesh, Id edge);
 
-/// Makes one vertex of the two ends of the edge and returns it. It stays where it is if it is
-/// more bound than the other, else the middle is taken. NoId, and nothing changed, where
-/// constraints or areas do not allow it.
+/// Makes one vertex of the two ends of the edge and returns it: at the place of the end that is
+/// more bound than the other, else at the middle. NoId, and nothing is changed, where constraints
+/// or areas do not allow it.
 Id CollapseEdge(MutableMesh& mesh, Id edge);
 
 } // namespace biting

@@ -14,17 +14,16 @@
 namespace biting
 {
 
-/// Fills `mesh` (MutableMesh::IsDivided is set before) with the triangles of `input`, and returns
-/// for each of its vertices which one of `input` it is. Vertices are numbered as the triangles
-/// meet them, so that neighbors are near each other in memory, in whatever order they were bitten.
-/// Those that no triangle uses are left out.
+/// Fills `mesh` (MutableMesh::IsDivided is set before) with the triangles of `input`. Returns the
+/// number in `input` of each of its vertices. Vertices are numbered in the order in which the
+/// triangles use them, so that neighbors are near each other in memory. Unused ones are left out.
 /// Each array of `input` is given back as soon as it is read, so that the mesh does not stand in
 /// memory twice; places, spacings and segments of the vertices of the domain are left. Where the
 /// monitor wants to stop neither mesh nor the result has a meaning.
 std::vector<Id> ReadMesh(RelaxationMesh& input, MutableMesh& mesh, Pulse& pulse);
 
-/// The inverse: writes what is alive of `mesh` to `output`, which is what ReadMesh has left of its
-/// input, and returns RelaxationResult::Origins. `origins` is what ReadMesh returned. The arrays of
+/// The inverse: writes the live triangles of `mesh` to `output`, the rest that ReadMesh left of its
+/// input. Returns RelaxationResult::Origins. `origins` is the result of ReadMesh. The arrays of
 /// `mesh` are given back as they are written. Where the monitor wants to stop nothing has a
 /// meaning.
 std::vector<Id> WriteMesh(

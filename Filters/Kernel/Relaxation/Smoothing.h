@@ -32,7 +32,7 @@ enum class SweepKind
 /// needs a mesh that is Delaunay: it looks for flips where vertices moved.
 void SmoothAll(DelaunayMesh& mesh, SweepKind kind, Pulse& pulse);
 
-/// What smoothing leaves alone where it is within these, and makes no worse where it is not.
+/// Smoothing leaves a star within these limits alone. It makes no star beyond them worse.
 struct SmoothingLimits
 {
   double GreatestCotangent; ///< of the smallest angle of a triangle

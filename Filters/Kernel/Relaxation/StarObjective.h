@@ -17,8 +17,8 @@ constexpr double ShortestInBand = 0.74;
 constexpr double LongestInBand = 1.36;
 
 /// The objective around a vertex, as a function of its place: the larger one of the cotangent of
-/// the smallest angle of its triangles, and min(cot 38 + 3 e, cot 32 = 1.6), where e > 0 is by how
-/// many spacings an edge is shorter than 0.74 or longer than 1.36.
+/// the smallest angle of its triangles, and min(cot 38 + 3 e, cot 32 = 1.6) with e > 0 the excess
+/// max(0.74 - l, l - 1.36) of an edge of l spacings.
 /// Angles between two segments at an input vertex, which nothing changes, do not count; nor do the
 /// lengths of the edges of a vertex that cannot move.
 class StarObjective

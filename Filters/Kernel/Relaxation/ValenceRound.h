@@ -64,10 +64,10 @@ inline double ValenceChangeOfSplit(const MutableMesh& mesh, Id edge)
 /// of the vertices it touches, plus 12 (l - 0.67 - s) for a collapse and 12 (1.28 + s - l) for a
 /// split of an edge of l spacings, where s is five times what the mean l is below 1, within 0.1
 /// either way. Parts of segments count as SegmentParts.h says: no collapse leaves one that is too
-/// long, and the split of one that is too long counts five times. Those with a negative score are
-/// done, the lowest first, each vertex at most once; then the vertices nearby are smoothed. None is
-/// done that would leave a triangle both with an angle below 20 degrees and worse than the worst
-/// around it before.
+/// long, and the split of one that is too long counts five times. Operations with a negative score
+/// are done, the lowest first, each vertex at most once; then the vertices nearby are smoothed. No
+/// operation is done that would leave a triangle with an angle below 20 degrees that is worse than
+/// the worst one around it before.
 class ValenceRound
 {
 public:

@@ -3,8 +3,8 @@
 
 #include "OldPlaces.h"
 
-#include "../Spacing/TriangleInterpolator.h"
 #include "../Spacing/TriangleBuckets.h"
+#include "../Spacing/TriangleInterpolator.h"
 
 #include <algorithm> // for min, max
 #include <limits>    // for infinity

@@ -4,7 +4,6 @@
 #include "WantedSpacing.h"
 
 #include "../Base/Box.h"
-#include "../Spacing/SourceCheck.h"
 #include "../Spacing/TriangleInterpolator.h"
 #include "GradedValues.h"
 

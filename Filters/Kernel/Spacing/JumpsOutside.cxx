@@ -105,15 +105,11 @@ private:
   {
     const double base = Distance(first.Start, last.Start);
     const double least = this->Rule.Range(std::min(first.Value, last.Value));
-    const auto castEnds = [this, &first, &last](bool isTime)
+    if (divisions == 0)
     {
-      if (isTime)
-      {
-        this->Cast(first, this->IsSteep);
-        this->Cast(last, this->IsSteep);
-      }
-    };
-    castEnds(divisions == 0 && base > 0.0);
+      this->Cast(first, this->IsSteep);
+      this->Cast(last, this->IsSteep);
+    }
     const Point2 sum = first.Direction + last.Direction;
     Ray middle{ Midpoint(first.Start, last.Start), (1.0 / Length(sum)) * sum,
       0.5 * (first.Value + last.Value),
@@ -130,7 +126,6 @@ private:
     {
       return;
     }
-    castEnds(divisions == 0 && base == 0.0);
     if (divisions < LeastDivisions || this->IsSteep || first.HasJump || middle.HasJump ||
       last.HasJump)
     {

@@ -126,17 +126,17 @@ private:
 
 using SegmentCone = Cone<2>;
 
-/// Those of the segments of a source, with the values times `scale`; their minimum is that of all
-/// segments to within `tolerance` of itself. Fewer where segments are much shorter than f / g:
-/// - Segments that follow each other become one, as long as their ends are so near to it, and their
-///   values to the linear ones along it, that f changes by less than half the tolerance.
+/// The cones of the segments of a source, with the values times `scale`. Their minimum is that of
+/// all segments, within a share of `tolerance`. Where segments are much shorter than f / g there
+/// are fewer cones than segments:
+/// - Consecutive segments become one, while that changes f by less than half the tolerance.
 /// - DropHigh takes the other half.
 /// Linear in the number of segments, given in the order of their chains.
 std::vector<SegmentCone> MakeCones(const SegmentSource& source, double scale, double gradation,
   Pulse& pulse, double tolerance = 0.0);
 
-/// Leaves out cones that are nowhere below the one that was kept last before them, but for half the
-/// tolerance; then the same from the last one to the first.
+/// Drops a cone that is nowhere below the last one kept before it, but for half the tolerance. Goes
+/// from the first cone to the last, then back.
 template <std::size_t D>
 void DropHigh(double slope, double tolerance, std::vector<Cone<D>>& cones, Pulse& pulse)
 {

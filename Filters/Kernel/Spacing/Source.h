@@ -49,13 +49,6 @@ public:
   /// min(given(x), min over these y of given(y) + g |x - y|): in a cell that is steeper than g the
   /// minimum lies on an edge. Edges may be left out where others stand for them.
   virtual double AddLowEdges(const SteepRule& rule, SegmentSource& edges, Pulse& pulse) const = 0;
-
-protected:
-  Source() = default;
-  Source(const Source&) = default;
-  Source(Source&&) noexcept = default;
-  Source& operator=(const Source&) = default;
-  Source& operator=(Source&&) noexcept = default;
 };
 
 /// A node of a cell.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "SourceCheck.h"
+#include "Spacing.h"
 
 #include "../Base/Numbers.h"
 #include "../Base/Pulse.h"

@@ -12,7 +12,6 @@
 #include "FeatureSize.h"
 #include "GridInterpolator.h"
 #include "SegmentCone.h"
-#include "SourceCheck.h"
 #include "TriangleInterpolator.h"
 
 #include <algorithm> // for min, max

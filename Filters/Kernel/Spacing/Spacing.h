@@ -226,6 +226,14 @@ private:
 Spacing MakeSpacing(
   const SpacingOptions& options, const Box2& bounds, ProblemList& problems, Monitor& monitor);
 
+/// Adds these problems, but for that of triangles none of which has an area and three values; true
+/// if there was none. Also false if the monitor asks to stop.
+bool CheckSpacing(
+  const SpacingOptions& options, ProblemList& problems, Monitor& monitor = NoMonitor());
+
+/// The least of all values given, before they are scaled; infinite where there is none.
+double LeastGiven(const SpacingOptions& options);
+
 } // namespace biting
 
 #endif

@@ -4,6 +4,7 @@
 #ifndef BitingTriangleBuckets_h
 #define BitingTriangleBuckets_h
 
+#include "../Base/IdLists.h"
 #include "../Base/Pulse.h"
 #include "Orthtree.h"
 
@@ -18,20 +19,12 @@ namespace biting
 class TriangleBuckets
 {
 public:
-  struct Range
-  {
-    const Id* First;
-    const Id* Last;
-    const Id* begin() const { return this->First; }
-    const Id* end() const { return this->Last; }
-  };
-
   /// Of three corners a triangle: at least one, and each has an area.
   /// Incomplete if the pulse stops: it must not be asked then.
   TriangleBuckets(const std::vector<Point2>& points, const std::vector<Id>& corners, Pulse& pulse);
 
   /// All triangles that meet the leaf of x; outside, those of the nearest leaf along the axes.
-  Range Near(const Point2& x) const
+  IdLists::List Near(const Point2& x) const
   {
     const Id* list = &this->Lists[static_cast<std::size_t>(this->Tree.Locate(x))];
     return { list + 1, list + 1 + *list };

@@ -97,68 +97,6 @@ std::vector<BorderEdge> FindBorder(
   return border;
 }
 
-} // namespace
-
-TriangleInterpolator::TriangleInterpolator(
-  std::shared_ptr<const TriangulatedSource> source, Monitor& monitor)
-  : Triangles(std::move(source))
-{
-  Pulse pulse(monitor);
-  this->Corners = UsableCorners(*this->Triangles, pulse);
-  if (this->Corners.empty() || pulse.HasStopped())
-  {
-    return;
-  }
-  const auto makeBuckets = [this](Pulse& own) {
-    this->Buckets = std::make_unique<TriangleBuckets>(this->Triangles->Points, this->Corners, own);
-  };
-  const auto makeBorder = [this](Pulse& own)
-  { this->Border = BoxTree<BorderEdge>(FindBorder(*this->Triangles, this->Corners, own), own); };
-  DoEach(pulse, { makeBuckets, makeBorder });
-}
-
-/// The least one of the triangles there where they may overlap, else that of any one. With room for
-/// gaps between triangles that are there by rounding.
-std::optional<double> TriangleInterpolator::ValueInside(const Point2& x) const
-{
-  constexpr double RoomForRounding = 1e-9; // of the area
-  std::optional<double> least;
-  for (Id triangle : this->Buckets->Near(x))
-  {
-    const Point2 origin = this->PlaceOf(triangle, 0);
-    const Point2 toFirst = this->PlaceOf(triangle, 1) - origin;
-    const Point2 toSecond = this->PlaceOf(triangle, 2) - origin;
-    const double whole = Cross(toFirst, toSecond);
-    const double first = Cross(x - origin, toSecond);
-    const double second = Cross(toFirst, x - origin);
-    const double rest = whole - first - second;
-    if (std::min({ first, second, rest }) >= -RoomForRounding * whole)
-    {
-      // By weights: differences of values would cancel what is beside a fill value.
-      const double weights[3] = { std::max(rest, 0.0), std::max(first, 0.0),
-        std::max(second, 0.0) };
-      const double sum = weights[0] + weights[1] + weights[2];
-      const double value = (weights[0] / sum) * this->ValueOf(triangle, 0) +
-        (weights[1] / sum) * this->ValueOf(triangle, 1) +
-        (weights[2] / sum) * this->ValueOf(triangle, 2);
-      least = least ? std::min(*least, value) : value;
-      if (!this->Triangles->MayOverlap)
-      {
-        break;
-      }
-    }
-  }
-  return least;
-}
-
-double TriangleInterpolator::ValueOutside(const Point2& x) const
-{
-  return Nearest(this->Border, x, { Infinity, this->ValueOf(0, 0) }).Value;
-}
-
-namespace
-{
-
 /// Of linear values in a triangle; 0 where it is not known.
 double SlopeOfTriangle(const TriangulatedSource& source, const Id* corners)
 {
@@ -244,6 +182,58 @@ private:
 };
 
 } // namespace
+
+TriangleInterpolator::TriangleInterpolator(
+  std::shared_ptr<const TriangulatedSource> source, Monitor& monitor)
+  : Triangles(std::move(source))
+{
+  Pulse pulse(monitor);
+  this->Corners = UsableCorners(*this->Triangles, pulse);
+  if (this->Corners.empty() || pulse.HasStopped())
+  {
+    return;
+  }
+  const auto makeBuckets = [this](Pulse& own) {
+    this->Buckets = std::make_unique<TriangleBuckets>(this->Triangles->Points, this->Corners, own);
+  };
+  const auto makeBorder = [this](Pulse& own)
+  { this->Border = BoxTree<BorderEdge>(FindBorder(*this->Triangles, this->Corners, own), own); };
+  DoEach(pulse, { makeBuckets, makeBorder });
+}
+
+/// The least one of the triangles there where they may overlap, else that of any one. With room for
+/// gaps between triangles that are there by rounding.
+std::optional<double> TriangleInterpolator::ValueInside(const Point2& x) const
+{
+  constexpr double RoomForRounding = 1e-9; // of the area
+  std::optional<double> least;
+  for (Id triangle : this->Buckets->Near(x))
+  {
+    const Point2 origin = this->PlaceOf(triangle, 0);
+    const Point2 toFirst = this->PlaceOf(triangle, 1) - origin;
+    const Point2 toSecond = this->PlaceOf(triangle, 2) - origin;
+    const double whole = Cross(toFirst, toSecond);
+    const double first = Cross(x - origin, toSecond);
+    const double second = Cross(toFirst, x - origin);
+    const double rest = whole - first - second;
+    if (std::min({ first, second, rest }) >= -RoomForRounding * whole)
+    {
+      // By weights: differences of values would cancel what is beside a fill value.
+      const double weights[3] = { std::max(rest, 0.0), std::max(first, 0.0),
+        std::max(second, 0.0) };
+      const double sum = weights[0] + weights[1] + weights[2];
+      const double value = (weights[0] / sum) * this->ValueOf(triangle, 0) +
+        (weights[1] / sum) * this->ValueOf(triangle, 1) +
+        (weights[2] / sum) * this->ValueOf(triangle, 2);
+      least = least ? std::min(*least, value) : value;
+      if (!this->Triangles->MayOverlap)
+      {
+        break;
+      }
+    }
+  }
+  return least;
+}
 
 double TriangleInterpolator::AddLowEdges(
   const SteepRule& rule, SegmentSource& edges, Pulse& pulse) const

@@ -82,14 +82,11 @@ public:
   double operator()(const Point2& x) const override
   {
     const std::optional<double> value = this->ValueInside(x);
-    return value ? *value : this->ValueOutside(x);
+    return value ? *value : Nearest(this->Border, x, { Infinity, this->ValueOf(0, 0) }).Value;
   }
 
   /// None outside of the triangles.
   std::optional<double> ValueInside(const Point2& x) const;
-
-  /// Of the nearest point of the border.
-  double ValueOutside(const Point2& x) const;
 
   /// Outside of them also where the nearest value of the border jumps, unless the source covers the
   /// domain.

@@ -4,7 +4,6 @@
 #include "PreparedSpacing.h"
 
 #include "../Base/PartOfStage.h"
-#include "../Spacing/SourceCheck.h"
 #include "PreservedSpacing.h"
 #include "StageProblems.h"
 

@@ -6,7 +6,6 @@
 #include "../Base/PartOfStage.h"
 #include "../Base/Pulse.h"
 #include "../Spacing/SegmentCone.h"
-#include "../Spacing/SourceCheck.h"
 
 #include <algorithm> // for min, transform
 #include <limits>    // for the largest number

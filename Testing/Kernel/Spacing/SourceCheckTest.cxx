@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Spacing/SourceCheck.h"
-
 #include "SpacingSources.h"
 
 #include <gtest/gtest.h>
