@@ -183,8 +183,8 @@ private:
     this->Tree = BoxTree<MarkItem, 3>(items, this->Beats);
   }
 
-  /// Between the marks before and after: so far from these, and from the middles of strangers,
-  /// which count twice, as can be.
+  /// Moves a mark of a chain to max over its ways w of min(w - before, after - w, 2 |w - s|), s the
+  /// ways of strangers: there triangles of the strip are nearest to isosceles ones.
   void Stagger(std::size_t mark)
   {
     ChainMark& own = this->Marks[mark];
