@@ -26,9 +26,8 @@ constexpr int StripSteps = 6;
 TriangleList TrianglesAround(const Triangulation& mesh, std::size_t vertices,
   const std::vector<Id>& seeds, Pulse& pulse, int steps = StripSteps);
 
-/// Disjoint parts of a mesh with `vertices` vertices: no two have a vertex in common. Each part
-/// grows across edges, from where another one ended, to `most` triangles. Triangles between parts
-/// belong to no part.
+/// Parts of a mesh without common vertices. Each part grows across edges, from where another one
+/// ended, to `most` triangles. Triangles between parts belong to no part.
 std::vector<TriangleList> DivideIntoParts(
   const Triangulation& mesh, std::size_t vertices, std::size_t most, Pulse& pulse);
 
