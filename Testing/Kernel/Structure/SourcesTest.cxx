@@ -141,9 +141,9 @@ struct Budget
 };
 
 const std::map<std::string, Budget> Budgets = {
-  { ".", { 5450, 10 } },
-  { "Bridge", { 13350, 74 } },
-  { "IO", { 2800, 16 } },
+  { ".", { 5900, 11 } },
+  { "Bridge", { 13600, 75 } },
+  { "IO", { 2950, 16 } },
   { "Kernel", { 950, 3 } },
   { "Kernel/Base", { 2250, 29 } },
   { "Kernel/Biting", { 5650, 49 } },
@@ -161,13 +161,13 @@ const std::map<std::string, Budget> Budgets = {
   { "Kernel/Spacing", { 3800, 47 } },
   { "Kernel/Stages", { 3600, 25 } },
   { "Kernel/Space/Delaunay", { 1450, 10 } },
-  { "Kernel/Space/Features", { 1250, 11 } },
-  { "Kernel/Space/Biting", { 700, 7 } },
-  { "Kernel/Space/Boundary", { 1100, 9 } },
+  { "Kernel/Space/Features", { 1700, 14 } },
+  { "Kernel/Space/Biting", { 1000, 11 } },
+  { "Kernel/Space/Boundary", { 1650, 16 } },
   { "Kernel/Space/Relaxation", { 650, 4 } },
-  { "Kernel/Space/Interior", { 1000, 10 } },
-  { "Kernel/Space/Finishing", { 1500, 12 } },
-  { "Kernel/Space/Meshing", { 650, 3 } },
+  { "Kernel/Space/Interior", { 1200, 15 } },
+  { "Kernel/Space/Finishing", { 1950, 13 } },
+  { "Kernel/Space/Meshing", { 1950, 14 } },
   { "Kernel/Space/Quality", { 300, 2 } },
   { "Kernel/Space/Surface", { 2350, 18 } },
 };
