@@ -26,6 +26,7 @@ set(biting_kernel_sources
   Domain/BoundaryComponents.cxx
   Domain/CellOverlaps.cxx
   Domain/ChainKinds.cxx
+  Domain/CrossingEstimate.cxx
   Domain/Domain.cxx
   Domain/DomainCheck.cxx
   Domain/EndSurroundings.cxx

@@ -6,6 +6,7 @@
 #include "../Base/SortInSteps.h"
 #include "../Base/Tasks.h"
 #include "../Predicates/Predicates.h"
+#include "CrossingEstimate.h"
 #include "SegmentTree.h"
 #include "VertexStars.h"
 
@@ -152,6 +153,7 @@ public:
   {
   }
 
+  bool HasRoomForCrossings();
   void TestEdges();
   void TestStars();
   void TestLooseVertices();
@@ -191,6 +193,21 @@ private:
   const FiledEdges& Edges;
   MeetingReporter News;
 };
+
+/// Looks at some edges first, so that a drawing of far too many crossings is refused soon.
+bool MeetingFinder::HasRoomForCrossings()
+{
+  const CrossingEstimate estimate =
+    EstimateCrossingsAbove(this->Most, this->Input, this->Edges.Tree, this->Beats);
+  if (estimate.Count == 0.0)
+  {
+    return true;
+  }
+  this->Found.AreTooMany = true;
+  this->Found.AboutHowMany = estimate.Count;
+  this->Found.Crossings.push_back({ estimate.First, estimate.Second });
+  return false;
+}
 
 void MeetingFinder::TestEdges()
 {
@@ -490,6 +507,10 @@ bool FindMeetings(
   meetings = Meetings();
   const FiledEdges edges(arrangement, pulse);
   MeetingFinder finder(arrangement, edges, most, meetings, pulse);
+  if (!finder.HasRoomForCrossings())
+  {
+    return true;
+  }
   {
     PulsePart testing(pulse, ShareOfPreparing, ShareOfPreparing + ShareOfTesting);
     finder.TestEdges();
