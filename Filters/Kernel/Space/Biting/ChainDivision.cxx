@@ -462,8 +462,13 @@ private:
   {
     this->Bites.NumberOnLines = this->Bites.Size();
     constexpr double Beyond = 1e-7; // guards are just larger than balls, radii than guards
-    for (const double size : this->Bites.Sizes)
+    for (std::size_t k = 0; k < this->Bites.Sizes.size(); ++k)
     {
+      double& size = this->Bites.Sizes[k];
+      if (size == Infinity) // a corner whose chains were merged into others
+      {
+        size = this->Ground.SizeAt(this->Bites.Triangles[k], this->Bites.Centers[k]);
+      }
       this->Bites.Guards.push_back((1.0 + Beyond) * SurfaceBites::WeightShare * size);
       this->Bites.Radii.push_back((1.0 + 2.0 * Beyond) * SurfaceBites::WeightShare * size);
     }
