@@ -532,8 +532,8 @@ void CapByCurvature(SurfaceGround& ground, const SurfaceMesh& input, double tole
     return;
   }
   // A triangle of circumradius l / sqrt 3 is l^2 / (6 R) from a sphere of radius R, on which
-  // normals l apart differ by l / R; the factor leaves room for longer edges.
-  TurnSearch search(input, LinkSurface(input, pulse), ground.Normals, 4.5 * tolerance);
+  // normals l apart differ by l / R: 6 would do, but edges are up to 1.22 f, and 1.22^2 * 4 = 6.
+  TurnSearch search(input, LinkSurface(input, pulse), ground.Normals, 4.0 * tolerance);
   std::vector<double> sizes(input.NumberOfTriangles(), 0.0);
   pulse.ForEach(sizes.size(),
     [&ground, &input, &search, &sizes](std::size_t t)

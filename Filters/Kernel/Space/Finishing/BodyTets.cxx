@@ -31,6 +31,7 @@ BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
   this->LinkAll(pulse);
   this->Touched.assign(this->Mesh.Points.size(), 0);
   this->TriedMoves.assign(this->Mesh.Points.size(), 0);
+  this->NumberOfMoves.assign(this->Mesh.Points.size(), 0);
   this->ResizeCells();
   for (Id cell = 0; cell < this->Mesh.NumberOfSlots(); ++cell)
   {
@@ -51,6 +52,7 @@ Id BodyTets::AddVertex(const Point3& place, double size)
   this->Body.Sizes.push_back(size);
   this->Touched.push_back(0);
   this->TriedMoves.push_back(0);
+  this->NumberOfMoves.push_back(0);
   return this->Mesh.NumberOfVertices() - 1;
 }
 

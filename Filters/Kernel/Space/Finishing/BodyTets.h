@@ -78,9 +78,10 @@ public:
   // a cell, was tried in vain: no
   // use to try again before one at its corners was.
   std::uint32_t Clock = 0;
-  std::vector<std::uint32_t> Touched;    ///< of vertices
-  std::vector<std::uint32_t> TriedMoves; ///< of vertices
-  std::vector<std::uint32_t> Tried;      ///< of cells
+  std::vector<std::uint32_t> Touched;      ///< of vertices
+  std::vector<std::uint32_t> TriedMoves;   ///< of vertices
+  std::vector<std::uint8_t> NumberOfMoves; ///< by trial, of vertices
+  std::vector<std::uint32_t> Tried;        ///< of cells
 
 private:
   friend class CellChange;

@@ -178,11 +178,14 @@ Point3 VertexMoves::WayOnGround(Id vertex) const
 
 bool VertexMoves::Improve(Id vertex, double good)
 {
+  constexpr int MostMoves = 64; // more than good places take; where none is good it ends there
   if (vertex < this->Tets.Body.NumberOnLines ||
-    this->Tets.TriedMoves[At(vertex)] > this->Tets.Touched[At(vertex)])
+    this->Tets.TriedMoves[At(vertex)] > this->Tets.Touched[At(vertex)] ||
+    this->Tets.NumberOfMoves[At(vertex)] >= MostMoves)
   {
     return false;
   }
+  ++this->Tets.NumberOfMoves[At(vertex)];
   this->Gather(vertex);
   const auto isWorse = [](const Cone& a, const Cone& b) { return a.Badness > b.Badness; };
   std::sort(this->Star.begin(), this->Star.end(), isWorse);
