@@ -18,11 +18,11 @@ namespace biting
 /// constant cost: the one gradation of all that limits f.
 ///
 /// A 2^D-tree whose leaves list the cones that may be lowest there. It is built from the root down
-/// with lists of candidates: a cube drops every cone that the one which is lowest at its center
-/// beats all over it, but for a share of 1 %. It is a leaf when few candidates are left, or when it
-/// is much smaller than the value itself. So the result is nowhere below the minimum, and above it
-/// by no more than Tolerance: that is tested, not proven, as of many cones each may be dropped for
-/// the next one. Across the borders of leaves it may jump as much.
+/// with lists of candidates: a cube drops each cone that is, all over the cube, at least 0.99 times
+/// the cone lowest at its center. A cube with few candidates, or much smaller than the value there,
+/// is a leaf. So the result is nowhere below the minimum m, and at most (1 + Tolerance) m: tested,
+/// not proven, as a cone may be dropped for one that a smaller cube drops. Across the borders of
+/// leaves the result may jump by as much.
 /// Cost: n log n for n cones; a lookup and a handful of cones for an evaluation.
 template <std::size_t D = 2>
 class ConeTree
@@ -32,14 +32,14 @@ public:
 
   ConeTree() = default;
 
-  /// `slope` is that of all the cones; values are positive, and nobody asks for those above `most`.
+  /// `slope` is that of all the cones. Values are positive; values above `most` are not needed.
   /// Incomplete if the monitor asks to stop: it must not be evaluated then. The result does not
   /// depend on the number of threads.
   ConeTree(const std::vector<Cone<D>>& cones, double slope, const Box<D>& bounds,
     double most = Infinity, Monitor& monitor = NoMonitor());
 
-  /// Infinite where all of the leaf is above `most`. Outside of the box the value of the nearest
-  /// point in it.
+  /// Infinite where the minimum is above `most` in the whole leaf. Outside of the box: the value at
+  /// the nearest point of the box.
   double operator()(const Point<D>& x) const
   {
     Point<D> inside;
@@ -60,7 +60,7 @@ public:
 
   std::size_t NumberOfCones() const { return this->Cones.size(); }
 
-  /// Of all lists.
+  /// The length of all lists.
   std::size_t NumberOfEntries() const { return this->Lists.size(); }
 
 private:
@@ -71,7 +71,7 @@ private:
   Box<D> Bounds;
   Orthtree<D> Tree;           ///< the number of a leaf is where its list starts in Lists
   std::vector<Id> Lists{ 0 }; ///< each is a count, and as many cones
-  std::vector<Cone<D>> Cones; ///< those near each other mostly one after the other
+  std::vector<Cone<D>> Cones; ///< mostly in spatial order
 };
 
 extern template class ConeTree<2>;

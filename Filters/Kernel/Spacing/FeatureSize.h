@@ -42,13 +42,13 @@ public:
 
   FeatureSize(const FeatureSource& source, Pulse& pulse);
 
-  /// At a point of a segment; `known` where no feature is nearer than that, and any distance to one
-  /// up to `enough` where some are nearer than that. That the ends of the segment are not incident
-  /// to each other is left to its length.
+  /// min(known, d), d the distance from x, on the segment, to the nearest feature not incident to
+  /// it. Where d is below `enough`: any distance to such a feature up to `enough`. The two ends of
+  /// the segment do not count for each other: the cap by its length does (FeatureSource).
   double operator()(Id segment, const Point2& x, double known, double enough = 0.0) const;
 
-  /// The same, of features only that face the segment: the walls of a channel. Their line is within
-  /// 45 degrees of the segment's, and the way to them of its normal; the domain lies between.
+  /// The same for features that face the segment only: the walls of a channel. Their line is within
+  /// 45 degrees of the segment, the way to them within 45 degrees of its normal, in the domain.
   double Across(Id segment, const Point2& x, double known) const;
 
 private:

@@ -11,7 +11,7 @@ namespace biting
 
 /// The bilinear interpolant of a grid. Outside it is the nearest value of the border. A node whose
 /// value is NaN takes the value of the nearest node that has one: by vector propagation (after
-/// Danielsson 1980), so where two are nearly as near it may be the other one.
+/// Danielsson 1980), which may choose either of two nodes at nearly the same distance.
 class GridInterpolator : public Source
 {
 public:

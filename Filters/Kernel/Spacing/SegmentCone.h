@@ -100,8 +100,8 @@ struct Cone
     return { this->Value + this->Slope * foot, offset - foot * this->Direction };
   }
 
-  /// Whether it is nowhere above another cone by more than `room`. It is not, if not at both ends
-  /// of the other one's segment: along that it is convex, and from there it grows no faster.
+  /// Whether this cone is nowhere above `other` by more than `room`. Two tests suffice, at the ends
+  /// of other's segment: between them this cone is convex, beyond no cone grows faster than g.
   bool StandsFor(const Cone& other, double gradation, double room) const
   {
     return (*this)(other.Start, gradation) <= other.Value + room &&
@@ -126,16 +126,16 @@ private:
 
 using SegmentCone = Cone<2>;
 
-/// The cones of the segments of a source, with the values times `scale`. Their minimum is that of
-/// all segments, within a share of `tolerance`. Where segments are much shorter than f / g there
-/// are fewer cones than segments:
-/// - Consecutive segments become one, while that changes f by less than half the tolerance.
-/// - DropHigh takes the other half.
+/// The cones of the segments of a source, with the values times `scale`. Their minimum differs from
+/// that over all segments by at most the share `tolerance`. Where segments are much shorter than
+/// f / g there are fewer cones than segments:
+/// - consecutive segments become one, where that changes f by less than tolerance / 2;
+/// - DropHigh drops cones, with the other half of the tolerance.
 /// Linear in the number of segments, given in the order of their chains.
 std::vector<SegmentCone> MakeCones(const SegmentSource& source, double scale, double gradation,
   Pulse& pulse, double tolerance = 0.0);
 
-/// Drops a cone that is nowhere below the last one kept before it, but for half the tolerance. Goes
+/// Drops each cone for which the last one kept stands, with room = tolerance / 2 of its value. Goes
 /// from the first cone to the last, then back.
 template <std::size_t D>
 void DropHigh(double slope, double tolerance, std::vector<Cone<D>>& cones, Pulse& pulse)
@@ -156,21 +156,21 @@ void DropHigh(double slope, double tolerance, std::vector<Cone<D>>& cones, Pulse
   }
 }
 
-/// The largest slope along segments; those of no length have none.
+/// The largest slope along segments; segments without length do not count.
 double LargestSlope(const SegmentSource& source);
 
 /// The slope with which values grow from their segments: `gradation`, or the largest slope along
 /// them where that is 0, or the default of SpacingOptions where they are all level.
 ///
-/// The largest slope counts up to that of the smallest value m to the largest one M over a distance
-/// of m: (M - m) / m. Values that are steeper, as on segments as short as rounding, ask for nothing
-/// more: an edge of a mesh, which is no shorter than m, does not tell it from a jump.
+/// The largest slope is cut at (M - m) / m, with m and M the smallest and the largest value: edges
+/// of the mesh are no shorter than m, so a steeper rise, as on segments as short as rounding, is a
+/// jump to them.
 double SlopeOfCones(const SegmentSource& source, double gradation);
 
 /// The minimum of many cones of one slope, exact: the Lipschitz extension of the values along
-/// segments. For values asked a few times a segment; ConeTree takes longer to build, and a tenth
-/// of the time to answer. The cost of a call is logarithmic, and a few steps where all cones are
-/// above what is known.
+/// segments. For a few evaluations per segment: ConeTree takes longer to build, and a tenth of the
+/// time to evaluate. The cost of a call is logarithmic, and constant where all cones are above
+/// `known`.
 class SegmentExtension
 {
 public:
@@ -181,7 +181,7 @@ public:
   {
   }
 
-  /// Or `known`, if that is less.
+  /// min(known, minimum of the cones at x).
   double operator()(const Point2& x, double known = Infinity) const
   {
     this->Tree.Search(x, this->Slope, known,

@@ -25,10 +25,10 @@ struct ValueRange
   }
 };
 
-/// Where the spacing is too steep, and what is looked at.
+/// Which cells count as steep, and the part of the plane that matters.
 struct SteepRule
 {
-  double Slope;     ///< greater ones are steep; infinite: none is
+  double Slope;     ///< larger slopes are steep; infinite: none is
   ValueRange Range; ///< of the spacing
   Box2 Bounds;      ///< where f is asked for
 };
@@ -39,15 +39,15 @@ class Source
 public:
   virtual ~Source() = default;
 
-  /// What is given at x; outside of the cells the value of the nearest border. Called from any
-  /// number of threads at once.
+  /// The value given at x; outside of the cells, that of the nearest place of their border. Called
+  /// from any number of threads at once.
   virtual double operator()(const Point2& x) const = 0;
 
   /// Returns the largest slope of a cell, without the scale. Adds the places from which the
   /// spacing, scaled and clamped, grows by more than the rule's slope: the edges of steep cells,
   /// and points where values jump. For g-Lipschitz f the largest function below is then
   /// min(given(x), min over these y of given(y) + g |x - y|): in a cell that is steeper than g the
-  /// minimum lies on an edge. Edges may be left out where others stand for them.
+  /// minimum lies on an edge. An edge may be left out where others give the same bound.
   virtual double AddLowEdges(const SteepRule& rule, SegmentSource& edges, Pulse& pulse) const = 0;
 };
 
@@ -59,19 +59,19 @@ struct CellNode
   double Value = 0.0;  ///< the spacing
 };
 
-/// How far apart points that stand for all between them may be, as a share of f: where they are
-/// `length` f apart f is too large by slope * length / 2, at most. Less where the slope is above
-/// .3, so that the error stays the same; slopes above 1 count as 1.
+/// The distance of points that replace a line, in f: length * min(1, .3 / min(slope, 1)). Between
+/// points d f apart f is too large by a share of up to slope * d / 2: for slopes from .3 to 1 the
+/// distance keeps that at .15 length.
 double DistanceOfPoints(double length, double slope);
 
-/// Adds an edge between two nodes of a steep cell, but for parts where points stand for all of it:
+/// Adds the parts of an edge between two nodes of a steep cell which its ends do not stand for:
 /// - the part where values are clamped to the least, as a segment;
-/// - the part above, up to the most, if it is no steeper than the slope and so long that its ends
-///   do not stand for it. The ends are left to the caller.
+/// - the part above, up to the most, if it is no steeper than the slope and longer than
+///   DistanceOfPoints(1/4, slope) f. The caller adds the ends.
 void AddLowEdge(CellNode low, CellNode high, const SteepRule& rule, SegmentSource& edges);
 
-/// Adds the line in a steep cell where values are clamped to the least no more. `nodes` go around
-/// it.
+/// Adds the level line of the least value in a steep cell: beyond it values are clamped. `nodes` go
+/// around the cell.
 void AddLevelLine(
   const std::vector<CellNode>& nodes, const ValueRange& range, SegmentSource& edges);
 

@@ -103,18 +103,16 @@ using GivenSource = std::variant<std::shared_ptr<const GridSource>,
 
 /// The segments and embedded points of a domain, whose local feature size caps f (the control
 /// spacing of the paper, section 2.1). On a segment f is at most
-/// - the distance, through the domain, to the nearest segment or point that shares no end with it,
-///   so that one layer of triangles fits into a channel; with n = CellsAcross above 1, the distance
-///   to segments that face it times g / (2 exp(g n / 2) - 2), if that is less, as f grows with g
-///   from both sides. Segments face each other where their lines are within 45 degrees, the way
-///   from one to the other is within 45 degrees of its normal, and the domain lies between. The cap
-///   is no less than a quarter of what is given there, so that slits and thin walls do not become a
-///   multitude of triangles, or than the lengths in Drawn make f, if that is less: as fine
-///   triangles were there without the simplification;
-/// - 1.4 times its length, so that a short segment is an edge of a length that suits f, for about
-///   three vertices a segment; but the cap is no less than 2^-23 of what is given, or of the size
-///   of the drawing if that is less, as floats do not tell lengths apart below that: f grows from
-///   there, for about 50 / g^2 vertices on one side;
+/// - the distance d, through the domain, to the nearest segment or point that shares no end with
+///   it, so that one layer of triangles fits into a channel; with n = CellsAcross above 1 also
+///   d g / (2 exp(g n / 2) - 2), d to segments that face it, as f grows with g from both walls.
+///   Segments face each other where their lines are within 45 degrees, the way from one to the
+///   other is within 45 degrees of its normal, and the domain lies between. This cap is at least
+///   min(given / 4, f by the lengths in Drawn), so that slits and thin walls do not become a
+///   multitude of triangles, unless the drawing before simplification asked for them;
+/// - 1.4 times its length, so that a short segment is one edge, for about three vertices a segment.
+///   This cap is at least 2^-23 min(given, size of the drawing), the resolution of floats: around
+///   a segment that short f grows over about 50 / g^2 vertices on each side;
 /// and never less than Minimum asks for. Segments that meet do not count for each other, whatever
 /// their angle. From there f grows with the gradation (the default, where that is 0).
 struct FeatureSource
@@ -135,13 +133,13 @@ struct FeatureSource
   /// May be null.
   std::shared_ptr<const SegmentSource> Drawn;
 
-  /// About how many pieces half as long as f the segments may have. Where they have more, nothing
-  /// more is capped: a mesh that fine will be refused, and this should be soon.
+  /// About how many pieces of length f / 2 the segments may have. Beyond that number capping stops:
+  /// a mesh that fine is refused later, and the refusal should come soon.
   double MostPieces = std::numeric_limits<double>::infinity();
 
-  /// The lengths of edges that are there. May be empty. The cap for the distance is no less than
-  /// 1.4 times that: where f has been capped before, what is given is the capped one, and a quarter
-  /// of that would be less each time.
+  /// The length of existing edges at a place. May be empty. The cap for the distance is at least
+  /// 1.4 times that length: where the given f is already capped, as in remeshing, a quarter of it
+  /// would be less with each run.
   std::function<double(const Point2&)> Floor;
 };
 
@@ -184,9 +182,9 @@ struct SpacingOptions
 /// Exact: f is never above what is given, never above Maximum, never below Minimum. Where what is
 /// given is nowhere steeper than g, f is as given.
 /// Tolerance: f is within 5 % of the largest g-Lipschitz function below what is given at 99 % of
-/// all places, and within 10 % anywhere in the bounds it was prepared for. What is given changes
-/// within less than f/2 is seen by its lowest value. Where Gradation is
-/// above 1, f may be further above.
+/// all places, and within 10 % anywhere in the bounds it was prepared for. Where the given values
+/// change within less than f / 2, the lowest of them counts. Where Gradation is above 1, f may be
+/// further above.
 /// Preparation: MakeSpacing.
 class Spacing
 {
@@ -219,15 +217,15 @@ private:
 /// - with the point id of the source, its place, and a detail like "value -3 in the grid source",
 ///   for each value that is zero, negative or not finite (a NaN of a segment source; elsewhere it
 ///   is a hole, unless there is nothing else), also after scaling, and each position not finite
-///   (fill values up to the largest number there is are none of these, but ask for nothing);
+///   (a positive fill value, up to the largest double, is no problem, and limits nothing);
 /// - without ids, and a detail that names the parameter, where an option is negative or not finite,
 ///   Scale is zero, or Minimum is above Maximum.
 /// ProblemCode::Aborted where the monitor asked to stop.
 Spacing MakeSpacing(
   const SpacingOptions& options, const Box2& bounds, ProblemList& problems, Monitor& monitor);
 
-/// Adds these problems, but for that of triangles none of which has an area and three values; true
-/// if there was none. Also false if the monitor asks to stop.
+/// Adds these problems, except that for a source in which no triangle has an area and three values.
+/// True if none was added. Also false if the monitor asks to stop.
 bool CheckSpacing(
   const SpacingOptions& options, ProblemList& problems, Monitor& monitor = NoMonitor());
 

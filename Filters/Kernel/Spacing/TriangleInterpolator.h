@@ -29,13 +29,13 @@ struct BorderEdge
   double Least() const { return 0.0; }
 };
 
-/// A value at some distance.
+/// The value at the place of the border nearest to a point.
 struct NearestValue
 {
   double Distance;
   double Value;
-  Point2 Foot{};                    ///< where it is
-  const BorderEdge* Edge = nullptr; ///< that has it; of the tree that found it
+  Point2 Foot{};                    ///< that place
+  const BorderEdge* Edge = nullptr; ///< with that place; lives in the tree that was searched
 };
 
 /// The nearest point of an edge, and its value.
@@ -114,11 +114,11 @@ private:
   BoxTree<BorderEdge> Border;
 };
 
-/// Adds what limits f outside of triangles, where the value is that of the nearest place y of their
-/// border: v(y) on the whole ray from y along the normal, up to where another place of the border
-/// is as near. Rays are added from steep edges, and where the other value is another one; they are
-/// half of f apart. `most` is a bound of f at each point of the source, infinite where not known:
-/// where v(y) is above it all along a ray, that is left out.
+/// Adds what limits f outside of triangles, where the value is v(y), y the nearest place of their
+/// border: rays from y along the normal, with the value v(y), up to where another place z of the
+/// border is as near. Rays start at steep edges, and where v(y) differs from v(z), about f / 2
+/// apart. `most` bounds f at each point of the source, infinite where not known: a ray is left out
+/// where v(y) is nowhere below this bound, grown with the slope.
 void AddJumpsOutside(const TriangleInterpolator& source, const std::vector<double>& most,
   const SteepRule& rule, SegmentSource& edges, Pulse& pulse);
 
