@@ -24,9 +24,9 @@ struct BlockCollar
 {
   BlockMesh Mesh; ///< with all edges; what lies across to the core is NoId
   std::vector<Id>
-    Vertices; ///< of the collar, that no other block has: which ones of the block, rising
-  std::vector<Id> Triangles; ///< which in the block, rising
-  Id NumberOfVertices = 0;   ///< of the block, that it shares with none
+    Vertices; ///< numbers in the block of the collar's vertices that no other block has, rising
+  std::vector<Id> Triangles; ///< numbers in the block of the collar's triangles, rising
+  Id NumberOfVertices = 0;   ///< of the block, without those that it shares
   Id NumberOfTriangles = 0;  ///< of the block
 };
 

@@ -60,7 +60,7 @@ struct CutGraph
     return static_cast<Id>(this->Vertices.size()) - 1;
   }
 
-  /// Divides the piece: it ends at the vertex then, and another one, which is returned, goes on.
+  /// Divides the piece at the vertex. Returns the new piece, from the vertex to the old end.
   /// A folded cut is open at the new vertex.
   Id Split(Id piece, Id vertex)
   {

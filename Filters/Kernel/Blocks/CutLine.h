@@ -19,7 +19,7 @@ struct AxisLine
   bool IsVertical = true;
   double At = 0.0;
 
-  /// That far to both sides of the line, and from `low` to `high` along it.
+  /// The box up to `margin` on both sides of the line, and from `low` to `high` along it.
   Box2 Band(double margin, double low, double high) const
   {
     const double from = this->At - margin;
@@ -29,15 +29,15 @@ struct AxisLine
   }
 };
 
-/// Where a cut begins or ends: at a vertex, or on a piece, of which it makes one.
+/// Where a cut begins or ends: at a vertex, or on a piece, which is divided there by a new vertex.
 struct CutEnd
 {
   Point2 Place;
-  double Along = 0.0; ///< the line
+  double Along = 0.0; ///< the coordinate along the line
   Id Vertex = NoId;
   Id Piece = NoId; ///< where Vertex is NoId
   double F = 0.0;
-  bool IsOpen = false; ///< nothing is near but what it is on, which lies nearly across
+  bool IsOpen = false; ///< nothing is near but the segments that it is on, nearly at right angles
 };
 
 /// A straight part of the line, through the domain, between two neighbouring pieces.
@@ -58,7 +58,7 @@ struct CutLine
 enum class CutEffort
 {
   AsItIs,
-  /// Ends of stretches that are not good go to vertices some f away from which they are. Short
+  /// Each end of such a stretch moves to a vertex within some f, so that the stretch is good. Short
   /// stretches are left out, so the line may fail to divide the domain.
   MoveEnds
 };

@@ -29,7 +29,7 @@ struct CutPlan
 
   // Of the domain, where it was cut.
   NearTouches Touches;
-  std::vector<std::uint8_t> AreTouching; ///< segments that are of such a pair
+  std::vector<std::uint8_t> AreTouching; ///< of segments: 1 where in a pair of Touches
 };
 
 struct CutOptions

@@ -13,7 +13,7 @@
 namespace biting
 {
 
-/// Of the place where a line parallel to an axis meets the other axis.
+/// The coordinate that is the same along a line: x of a vertical one, y of a horizontal one.
 inline double Coordinate(const Point2& p, bool isVertical)
 {
   return isVertical ? p.X : p.Y;
@@ -66,12 +66,12 @@ public:
     return this->IsFirstVertical.value_or(isVertical) == isVertical;
   }
 
-  /// The fitting place next to `place` for a cut through `part`, whose sides are cuts that fit, or
-  /// infinite.
+  /// The place nearest to `place` where a cut through `part` fits. Precondition: sides of `part`
+  /// are cuts that fit, or infinite.
   double FittingPlace(double place, const Box2& part, bool isVertical) const;
 
-  /// By which factor sides are longer in the part than elsewhere for their rows to fill it; 1 where
-  /// f is not level.
+  /// The factor by which sides in the part are longer than elsewhere, so that pairs of rows fill it;
+  /// 1 where f is not level.
   double StretchOf(const Box2& part) const;
 
 private:

@@ -19,11 +19,11 @@
 namespace biting
 {
 
-/// The pieces of a graph in a part of the plane. A cut may leave its line as far as its ends do: so
-/// pieces beside the box count, too.
+/// The pieces of a graph in a part of the plane. A cut with moved ends (CutEffort) leaves its line,
+/// so pieces beside the box count, too.
 ///
-/// Segments of the domain are found in a tree that all parts share. A search costs O(log n) and
-/// what it finds.
+/// Segments of the domain are found in a tree that all parts share. A search that finds k pieces
+/// costs O(log n + k).
 struct CutScene
 {
   /// A segment of the domain by its first piece, or an embedded point.
@@ -42,11 +42,11 @@ struct CutScene
   const Spacing& F;
   const CutFrame& Frame;
   const std::vector<std::uint8_t>& AreUncut;     ///< segments of the domain that no cut may meet
-  const std::vector<std::uint8_t>& ArePreserved; ///< those that it may meet at their ends only
+  const std::vector<std::uint8_t>& ArePreserved; ///< segments that a cut may meet at ends only
   const BoxTree<Filed>& Tree;
   Box2 Box;               ///< in the frame
-  Box2 Around;            ///< the box, and what is beside it
-  std::vector<Id> Others; ///< pieces that the tree has not, and that meet Around
+  Box2 Around;            ///< the box, widened
+  std::vector<Id> Others; ///< pieces that meet Around and are not in the tree
 
   bool MayEndOn(const CutGraph::Piece& piece) const
   {
@@ -87,8 +87,8 @@ struct CutScene
         [&isSo, &holds](Id piece) { return !holds(piece) || isSo(piece); });
   }
 
-  /// The same for their ends that lie in `place`, and embedded points there; some come several
-  /// times.
+  /// Whether `isSo` holds for all ends of these pieces, and all embedded points, that lie in
+  /// `place`. A vertex may be asked for several times.
   template <typename Question>
   bool AllVertices(const Box2& place, const Question& isSo) const
   {

@@ -43,9 +43,9 @@ struct CutTree
   }
 };
 
-/// Deals the leaves out, in the order of the tree: which of `parts` each leaf (by its number) is
-/// of. A part is leaves in a row, so that it lies together, with about as many expected vertices as
-/// the others; where there are more parts than leaves some have none. Depends on the tree alone.
+/// Deals the leaves to `parts`: returns the part of each leaf, by its number. The leaves of a part
+/// follow each other in the tree, so that they lie together, and have about as many expected
+/// vertices as those of others; with more parts than leaves some have none. Depends on the tree.
 std::vector<Id> DealLeaves(const CutTree& tree, Id parts);
 
 } // namespace biting

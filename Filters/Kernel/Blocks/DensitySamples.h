@@ -23,10 +23,10 @@ struct DensitySample
   double Density = 0.0;
 };
 
-/// Squares of a quadtree that have at most about `most` of the integral each, and at least 1/4096
-/// of the box of the domain; those without any are left out. After `mostVisits` squares the others
-/// stay as large as they are. Depends on the arguments alone. Where
-/// the monitor wants to stop the result has no meaning.
+/// The squares of a quadtree over the domain's box, of level 5 to 16 (the root has level 0), divided
+/// until each has at most about `most` of the integral. Squares without a part are left out. After
+/// `mostVisits` squares none below level 5 is divided. Depends on the arguments alone. Where the
+/// monitor wants to stop the result has no meaning.
 std::vector<DensitySample> SampleDensity(const Domain& domain, const DomainLocator& locator,
   const Spacing& spacing, double most, std::size_t mostVisits, Pulse& pulse);
 

@@ -29,7 +29,7 @@ struct BlockMesh
 /// The first numbers of a block in the joined mesh.
 struct BlockPlace
 {
-  Id Vertex = 0; ///< that it shares with none
+  Id Vertex = 0; ///< of the vertices that no other block has
   Id Order = 0;
   Id Triangle = 0;
   Id Face = 0; ///< a region of the block
@@ -41,16 +41,16 @@ struct JoinedMesh
   BitingResult Bites;
   Triangulation Triangles;
   std::vector<Id> NearCuts; ///< triangles at cuts, and those around them (StripParts.h), rising
-  std::vector<BlockPlace> Places; ///< of the blocks, and past the last
-  std::vector<Id> FaceRegions;    ///< regions, of the blocks' faces
+  std::vector<BlockPlace> Places; ///< one a block, and one past the last
+  std::vector<Id> FaceRegions;    ///< the region of each face of a block
   bool IsSound = true;            ///< false: the sides of a cut do not fit
 };
 
 /// Joins the meshes of all blocks. Vertices: those of the domain, in their order, those of cuts,
 /// then those of the blocks, block by block; triangles block by block; constraints and regions as
-/// in a triangulation of the whole. Numbers of bites go on from block to block; what several
-/// blocks have counts in the first. Takes the blocks' memory. Where the monitor wants to stop the
-/// result has no meaning.
+/// in a triangulation of the whole. Bite orders go on from block to block; a vertex of several
+/// blocks has the order from the first. Takes the blocks' memory. Where the monitor wants to stop
+/// the result has no meaning.
 JoinedMesh JoinBlocks(
   const Domain& domain, const BlockDomains& blocks, std::vector<BlockMesh> meshes, Pulse& pulse);
 

@@ -26,7 +26,7 @@ struct RelaxedStrip
 struct StripChange
 {
   std::vector<Id> GoneVertices; ///< rising
-  std::vector<Id> Triangles;    ///< of the strip, rising: in the place of these others came last
+  std::vector<Id> Triangles;    ///< of the strips, rising: replaced by others, which come last
   bool IsWhole = true;          ///< false: flips needed what is not there (FlipUntilDelaunay)
 };
 
@@ -36,10 +36,10 @@ struct StripChange
 /// rest. Where the monitor wants to stop the result has no meaning.
 StripChange ReturnStrips(const std::vector<RelaxedStrip>& strips, JoinedMesh& mesh, Pulse& pulse);
 
-/// Makes the mesh constrained Delaunay by flips, exactly, given that all edges that may not be so
-/// are opposite the corners `slots`. Where the monitor wants to stop the mesh is valid, no more.
-/// False where the flips came to an edge without a constraint and without a second triangle: the
-/// mesh of that place is missing here, and the result is not that of the whole.
+/// Makes the mesh constrained Delaunay by flips, exactly. Precondition: all edges that may not be
+/// Delaunay lie opposite the corners `slots`. Stopped by the monitor, the mesh is valid, no more.
+/// False where a flip came to an edge without a constraint and without a second triangle: the mesh
+/// beyond is in another process, and the result is not that of the whole.
 bool FlipUntilDelaunay(const std::vector<Point2>& points, std::vector<std::size_t> slots,
   Triangulation& mesh, Pulse& pulse);
 

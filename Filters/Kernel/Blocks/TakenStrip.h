@@ -20,8 +20,8 @@ namespace biting
 /// preserved, and runs of edges on one segment of the whole, whose vertices may slide, or go.
 struct TakenStrip
 {
-  /// Of an edge that stays: what lies across it, if that is not of the strip, and its constraint.
-  /// Of a run: the first of its constraints, which follow each other.
+  /// Of an edge that stays: the slot across it, if outside of the strip, and its constraint.
+  /// Of a run: the first of its constraints, which have consecutive numbers.
   struct Side
   {
     Id Outside = NoId; ///< a slot of the whole
@@ -35,8 +35,8 @@ struct TakenStrip
     return static_cast<std::size_t>(vertex) < this->Border.Vertices.size();
   }
 
-  std::vector<Id> Triangles; ///< of the whole, that are of the strip
-  std::vector<Id> Vertices;  ///< of the whole, that are of the strip: fixed ones first
+  std::vector<Id> Triangles; ///< numbers in the whole of the triangles of the strip
+  std::vector<Id> Vertices;  ///< numbers in the whole of the strip's vertices: fixed ones first
   std::vector<Side> Sides;   ///< of the segments of the border
   Domain Border;
   RelaxationMesh Mesh;
@@ -52,7 +52,7 @@ struct StripSource
   const Domain& Geometry;
   const std::vector<std::uint8_t>& AreTouching; ///< segments nearly touch others; empty: none does
   const JoinedMesh& Whole;
-  std::vector<Id> TriangleNumbers; ///< of the whole's in their strip, or NoId
+  std::vector<Id> TriangleNumbers; ///< of the whole's triangles in their strip, or NoId
   std::vector<Id> VertexNumbers;
 };
 

@@ -21,28 +21,28 @@ using WholeId = std::int64_t;
 /// Where the vertices and triangles of one block are in the whole mesh.
 struct BlockNumbers
 {
-  WholeId FirstVertex = 0;        ///< of those that it shares with none, if that is not gone
-  std::vector<Id> GoneVertices;   ///< of these, rising
-  WholeId FirstTriangle = 0;      ///< if that is not taken
-  std::vector<Id> TakenTriangles; ///< of the block, that were of a strip, rising
+  WholeId FirstVertex = 0;        ///< of the unshared vertices that are not gone
+  std::vector<Id> GoneVertices;   ///< unshared vertices that relaxation along cuts removed, rising
+  WholeId FirstTriangle = 0;      ///< of the triangles that are not taken
+  std::vector<Id> TakenTriangles; ///< triangles of the block that strips replaced, rising
   Id FirstOrder = 0;
   std::vector<Id> Regions; ///< of its faces
 };
 
-/// The numbers that vertices and triangles have in the mesh of all blocks, as they would have if
-/// the whole of all blocks had been joined, and unused vertices left out: found from the sizes of
-/// the blocks and what became of their collars.
+/// The numbers of vertices and triangles in the mesh that JoinBlocks would make of all blocks with
+/// their cores, without unused vertices: found from the sizes of the blocks and the changes of
+/// their collars.
 struct WholeNumbers
 {
   std::vector<BlockNumbers> Blocks;
   std::vector<WholeId> Vertices;  ///< of the collars' mesh; NoId: unused
   std::vector<WholeId> Triangles; ///< of the collars' mesh
   WholeId NumberOfVertices = 0;   ///< of the whole
-  std::vector<Id> VertexBlocks;   ///< that have them alone; NoId: shared, or new
-  std::vector<Id> TriangleBlocks; ///< that they come from; NoId: of a strip
+  std::vector<Id> VertexBlocks;   ///< the one block that has the vertex; NoId: shared, or new
+  std::vector<Id> TriangleBlocks; ///< the block that the triangle comes from; NoId: of a strip
 };
 
-/// `collars` have no mesh any more: that is `joined`, with `change` made along the cuts.
+/// `joined` has the meshes of `collars`, which are empty, after `change` along the cuts.
 WholeNumbers NumberWhole(
   const std::vector<BlockCollar>& collars, const JoinedMesh& joined, const StripChange& change);
 
@@ -57,8 +57,8 @@ std::vector<Id> OwnersOfTriangles(
 bool HasRingsAround(const Triangulation& mesh, const std::vector<Id>& owners,
   std::size_t numberOfVertices, int rings);
 
-/// Where blocks stay with the members of a crew that made them: what a member has when all are
-/// relaxed. Collars of blocks have no mesh any more then.
+/// The data of one member of a crew once all blocks are relaxed, where each block stays with the
+/// member that made it. The meshes of collars are empty then.
 struct KeptBlocks
 {
   BlockDomains Parts;
