@@ -70,8 +70,8 @@ public:
   /// are cuts that fit, or infinite.
   double FittingPlace(double place, const Box2& part, bool isVertical) const;
 
-  /// The factor by which sides in the part are longer than elsewhere, so that pairs of rows fill it;
-  /// 1 where f is not level.
+  /// The factor by which sides in the part are longer than elsewhere, so that pairs of rows fill
+  /// the part; 1 where f is not level.
   double StretchOf(const Box2& part) const;
 
 private:

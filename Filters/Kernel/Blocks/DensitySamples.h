@@ -23,9 +23,9 @@ struct DensitySample
   double Density = 0.0;
 };
 
-/// The squares of a quadtree over the domain's box, of level 5 to 16 (the root has level 0), divided
-/// until each has at most about `most` of the integral. Squares without a part are left out. After
-/// `mostVisits` squares none below level 5 is divided. Depends on the arguments alone. Where the
+/// The leaves of a quadtree over the domain's box, the root at level 0, divided down to level 5, and
+/// then to level 16 until each has at most about `most` of the integral, or the tree `mostVisits`
+/// squares. Squares outside of the domain are left out. Depends on the arguments alone. Where the
 /// monitor wants to stop the result has no meaning.
 std::vector<DensitySample> SampleDensity(const Domain& domain, const DomainLocator& locator,
   const Spacing& spacing, double most, std::size_t mostVisits, Pulse& pulse);

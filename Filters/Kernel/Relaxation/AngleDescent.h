@@ -17,13 +17,12 @@ namespace biting
 /// Moves single vertices where triangles are worst: a compass search for the least objective of the
 /// star (StarObjective).
 ///
-/// Looked at are the vertices of triangles with an angle below 40 degrees, or with an edge out of
-/// the band, and their neighbors. A vertex whose objective is good, as above 45 degrees, stays. The
+/// Tried are the vertices of triangles with an angle below 40 degrees, or with an edge out of the
+/// band, and their neighbors. A vertex stays if its objective is at most 0.84 cot 40 = cot 45. The
 /// others are moved in eight directions, or in both along their segment, by steps from 0.12
-/// spacings down to 0.008. A vertex is looked at again only where its star has changed.
-/// Of n triangles at most 500 + n / 20 may count as poor: else the limit of 40 degrees becomes 35,
-/// 30 or 25, and the good objective is less in proportion. Edges do not count where more triangles
-/// have one out of the band.
+/// spacings down to 0.008. A vertex is tried again only after a change of its star.
+/// Where more than 500 + n / 20 of n triangles have an angle below 40 degrees, the limit of 40
+/// becomes 35, 30 or 25. Where more than that have an edge out of the band, edges do not count.
 /// Law: no star gets an angle that is both below 32 degrees and smaller than its smallest.
 class AngleDescent
 {
@@ -63,8 +62,8 @@ private:
   void WakeAround(Id vertex);
 
   DelaunayMesh& Mesh;
-  std::size_t PoorLevel = 1;  ///< a triangle that is poor by so many limits is poor
-  bool AreLengthsPoor = true; ///< and so is one with an edge out of the band
+  std::size_t PoorLevel = 1;  ///< a triangle with at least as many Levels is poor
+  bool AreLengthsPoor = true; ///< a triangle with an edge out of the band is poor
   std::vector<PoorTriangle> Poor;
   std::vector<Id> Corners;             ///< of the poor triangles
   std::vector<Id> Moved;               ///< since the poor triangles were looked for

@@ -14,9 +14,9 @@ namespace biting
 /// mark. NoId where rounding would leave a triangle without area.
 Id SplitEdge(MutableMesh& mesh, Id edge);
 
-/// Makes one vertex of the two ends of the edge and returns it: at the place of the end that is
-/// more bound than the other, else at the middle. NoId, and nothing is changed, where constraints
-/// or areas do not allow it.
+/// Merges the two ends of the edge into one vertex and returns it: at the end with the lower
+/// Freedom, or in the middle where both are the same. NoId, and nothing is changed, where
+/// constraints or areas do not allow it.
 Id CollapseEdge(MutableMesh& mesh, Id edge);
 
 } // namespace biting

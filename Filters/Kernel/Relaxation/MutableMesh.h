@@ -26,7 +26,7 @@ public:
   /// The point of the segment's line nearest to `place`, rounded.
   Point2 PlaceOnSegment(Id segment, const Point2& place) const;
 
-  /// Of length 1, from the start of the segment to its end.
+  /// The unit vector from the start of the segment to its end.
   Point2 DirectionOf(Id segment) const;
 
   /// Where the vertex comes to lie when it is sent to `place`.
@@ -53,20 +53,20 @@ public:
     this->MoveTo(vertex, this->Points[vertex], this->F(this->Points[vertex]));
   }
 
-  /// Evaluates it for all vertices that have an estimate.
+  /// Evaluates the spacing of all vertices that have an estimate.
   void AskForEstimates(Pulse& pulse);
 
   /// Replaces the edge by the other diagonal of its quadrangle. Precondition: it has a twin and no
   /// mark, and the quadrangle is strictly convex.
   void Flip(Id edge);
 
-  /// Whether there may be a vertex between the ends of the edge, as far as its segment goes.
+  /// Whether the segment of the edge, if it has one, allows a new vertex between its ends.
   bool MayDivide(Id edge) const;
 
-  /// Adds one without triangles: on the segment, or free where that is none.
+  /// Adds a vertex without triangles: on the segment, or free where `segment` is NoId.
   Id AddVertex(const Point2& place, Id segment, bool isOnBorder);
 
-  /// Adds one without corners; returns its first half-edge.
+  /// Adds a triangle without corners; returns its first half-edge.
   Id AddTriangle(Id region);
 
   /// Changes one of the arrays of ids.
@@ -79,7 +79,7 @@ public:
     array[index] = value;
   }
 
-  /// Makes two half-edges each other's twins; the second may be none.
+  /// Makes two half-edges each other's twins; the second may be NoId.
   void Link(Id edge, Id twin);
 
   void AddDegree(Id vertex, Id change)

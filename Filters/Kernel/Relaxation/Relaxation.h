@@ -56,7 +56,7 @@ struct RelaxationOptions
   HoldOptions Hold = {};
 };
 
-/// A mesh of a domain, and what binds it.
+/// A mesh of a domain, and the segments that bind it.
 struct RelaxationMesh
 {
   // Vertices: those of the domain in their order, then the others.
@@ -103,10 +103,10 @@ struct RelaxationResult
 /// Not promised: more than the input allows. A triangle in an input angle is no better than that
 /// angle, and where input vertices are much nearer to each other than the spacing, edges there are
 /// out of proportion to it.
-/// Cost O(n): it grows with the share of triangles that are poor. Up to 8 attempts at single
-/// triangles, 64 more in meshes of some thousand vertices, each for about two thousand vertices'
-/// time, are made where angles stay below 38 degrees; where vertices are held, and more do, only
-/// where they stay below the limit of holding, or 35 degrees.
+/// Cost O(n): it grows with the share of triangles that are poor. Triangles that stay below 38
+/// degrees are attempted singly (TopologyTrials.h): at most m = 8 + min(n / 60, 64) + n / 20000 of
+/// them for n vertices. Where vertices are held and more than m stay below 38 degrees, only those
+/// below 35 degrees, or below the angle of HoldOptions if larger.
 /// Precondition: `mesh` passes CheckMesh (MeshCheck.h); it need not be Delaunay.
 RelaxationResult Relax(const Domain& domain, const Spacing& spacing,
   const RelaxationOptions& options, RelaxationMesh& mesh, Monitor& monitor);

@@ -27,12 +27,12 @@ enum class Freedom : std::uint8_t
   Free
 };
 
-/// A triangulation, the spacing wanted at its vertices, and what binds these.
+/// A triangulation, the spacing wanted at its vertices, and the segments that bind these.
 ///
 /// Half-edge e = 4t + k (k = 0..2; 4t + 3 is unused) belongs to triangle t and lies opposite its
 /// corner k, Corners[e]. It runs from Corners[Next(e)] to Corners[Previous(e)], its triangle on
-/// the left. Twins[e] is the same edge in the triangle on its right, NoId on the border. What is
-/// removed stays in the arrays: a removed triangle has no corners, a removed vertex no edge.
+/// the left. Twins[e] is the same edge in the triangle on its right, NoId on the border. Removed
+/// items stay in the arrays: a removed triangle has no corners, a removed vertex no edge.
 struct RelaxedMesh
 {
   RelaxedMesh(const Domain& domain, const Spacing& spacing)
@@ -168,7 +168,7 @@ struct RelaxedMesh
 
   std::vector<Id> Regions;             ///< one a triangle
   std::vector<std::uint8_t> IsDivided; ///< of a segment: whether vertices on it may slide or go
-  bool DividesSegments = true;         ///< whether they may come, where IsDivided
+  bool DividesSegments = true;         ///< whether new vertices may come where IsDivided
   double PoorCotangents = 1.0;         ///< factor on the limits: below 1 more angles are poor
 };
 

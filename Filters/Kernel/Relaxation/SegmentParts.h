@@ -12,19 +12,19 @@
 namespace biting
 {
 
-// The parts into which segments are divided, and what their lengths forbid. A length is relative:
-// in units of the mean spacing of the ends.
+// Rules for the lengths of the parts into which segments are divided. A length l is relative: in
+// units of the mean spacing of the ends. Its ratio to the spacing is max(l, 1 / l).
 
-/// Whether the edge is a part of a segment and longer than sqrt(2): its halves are nearer to the
-/// spacing then, as a ratio.
+/// Whether the edge is a part of a segment and longer than sqrt(2): then its halves have the lower
+/// ratio.
 bool IsTooLongPart(const MutableMesh& mesh, Id edge);
 
 /// Whether the edge is a part of a segment, and its collapse would leave a part that is too long.
 bool LeavesLongPart(const MutableMesh& mesh, Id edge);
 
-/// Whether the edge is a part of a segment that is too short for a split: below 1, as one vertex
-/// more brings no segment nearer to the spacing whose parts are; or, if it is the whole segment, so
-/// short that a half would be farther from the spacing, as a ratio.
+/// Whether the edge is a part of a segment that is too short for a split: l < 1; or, where both ends
+/// are fixed, l h < 1 with h the length of the shorter half, which would have the larger ratio, or
+/// rounding or the options forbid it (MutableMesh::MayDivide).
 bool LeavesShortParts(const MutableMesh& mesh, Id edge);
 
 /// For a vertex that slides by `step` along its segment: the largest share of the step, in [0, 1],

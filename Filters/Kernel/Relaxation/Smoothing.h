@@ -24,8 +24,8 @@ void SmoothVertex(DelaunayMesh& mesh, Id vertex);
 /// Which vertices a sweep passes over.
 enum class SweepKind
 {
-  All,   ///< none
-  Coarse ///< those with all angles above 52 degrees and all lengths within 10 % of the spacing
+  All,   ///< over none
+  Coarse ///< over vertices with all angles above 52 degrees and lengths within 10 % of the spacing
 };
 
 /// Smooths all vertices once, as SmoothVertex does, but with flips after the sweep. A coarse sweep

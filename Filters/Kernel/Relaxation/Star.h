@@ -30,7 +30,7 @@ constexpr double CotangentOf52Degrees = 0.781286;
 /// least 3e-7 of the magnitude, and the filter asks for 3e-16.
 constexpr double CertainCotangent = 1e6;
 
-/// Of the smallest angle of the triangle (center, center + p, center + q).
+/// The cotangent of the smallest angle of the triangle (center, center + p, center + q).
 inline double WorstCotangent(const Point2& p, const Point2& q, double pp, double qq)
 {
   const double product = Dot(p, q);
@@ -69,7 +69,7 @@ struct Star
                                         : MutableMesh::Previous(this->Edges[k]);
   }
 
-  /// The largest of its triangles, with the center moved by `shift`.
+  /// The largest WorstCotangent of the triangles, with the center moved by `shift`.
   double Worst(const Point2& shift) const
   {
     double worst = 0.0;
@@ -116,16 +116,16 @@ inline bool Star::Read(const MutableMesh& mesh, Id vertex)
   return true;
 }
 
-/// The worst triangle around the vertex; infinite where the star is too large to be read, as
-/// nothing can be judged there.
+/// The largest WorstCotangent of the triangles around the vertex; infinite where the star is too
+/// large to be read.
 double WorstAround(const MutableMesh& mesh, Id vertex);
 
-/// The slope of the linear function through the spacing at the center that fits `around`, those at
-/// the outer corners, best; zero where these do not tell.
+/// The slope of the linear function, equal to `spacing` at the center, that fits the spacings
+/// `around` at the outer corners by least squares; zero where these are nearly on one line.
 Point2 SlopeOfSpacing(const Star& star, double spacing, const double* around);
 
-/// Moves the vertex of the star. Its spacing changes by the slope and stays within the range of
-/// those of the star. Where these differ by more than a factor of two f is evaluated instead.
+/// Moves the vertex of the star. Its spacing changes by the slope and stays within the range of the
+/// spacings of the star. Where these differ by more than a factor of two f is evaluated instead.
 void MoveWithSpacing(MutableMesh& mesh, Id vertex, const Star& star, const Point2& place);
 
 /// Whether the vertex may lie at `place` (exact, and rounded as it will be), which on a segment is

@@ -58,7 +58,7 @@ private:
   Point2 Slope; ///< of the spacing
   double Spacings[Star::Capacity + 1];
   double ValueHere = 0.0;
-  int Worst = 0; ///< the triangle that is worst here: looked at first, as it mostly decides
+  int Worst = 0; ///< the triangle that is worst here: At computes it first, as it mostly decides
   bool HasLengths = true;
   bool HasFixedAngles = false;
   FixedAngles Fixed[Star::Capacity]; ///< of each triangle; set where there are any
@@ -67,10 +67,10 @@ private:
 /// The objective of the star of a vertex where it is; 0 where the star is too large.
 double ObjectiveAround(const MutableMesh& mesh, Id vertex);
 
-/// The cotangent of the triangle's smallest angle, those between two segments apart.
+/// The cotangent of the triangle's smallest angle, without angles between two segments.
 double WorstFreeCotangent(const MutableMesh& mesh, Id triangle);
 
-/// Whether the triangle has an angle below `cotangent` says, those between two segments apart.
+/// Whether WorstFreeCotangent of the triangle is above `cotangent`.
 bool IsWorseThan(const MutableMesh& mesh, Id triangle, double cotangent);
 
 /// Whether the edge is shorter than 0.74 or longer than 1.36 spacings.

@@ -21,9 +21,9 @@ namespace biting
 ///
 /// 1. Around each of them, the worst first, every edge near by is collapsed and split on trial, and
 ///    the vertices next to it are smoothed once: that ranks the operations.
-/// 2. The best ranked ones are tried in full: AngleDescent moves the vertices near by until they
-///    are better than the best trial so far.
-/// 3. The best one is kept, if all triangles that it changes are then better than the poor one was.
+/// 2. The best ranked operations are tried in full: AngleDescent moves the vertices near by until
+///    they are better than in the best trial so far.
+/// 3. The best operation is kept if all triangles that it changes are better than the poor one was.
 /// 4. Poor triangles near a change are tried again, as long as that improves any.
 /// 5. In the end up to four of the worst are tried with every operation in full.
 class TopologyTrials
@@ -75,7 +75,7 @@ private:
   DelaunayMesh& Mesh;
   AngleDescent& Descent;
   std::vector<Id> Candidates;     ///< triangles that may be poor
-  std::size_t NumberOfSorted = 0; ///< of these: those after them have come since
+  std::size_t NumberOfSorted = 0; ///< of Candidates: later ones came after the sort
   std::vector<PoorTriangle> Poor;
   std::vector<std::uint8_t> AreTried; ///< one a triangle: tried, and nothing near has changed
   std::size_t NumberOfTried = 0;

@@ -16,15 +16,15 @@
 namespace biting
 {
 
-// By how much an operation changes the sum of squared excesses (see MutableMesh::Excess) of the
-// vertices that it touches: negative where it brings them nearer to the best numbers of triangles.
+// The change of the sum of squared excesses (MutableMesh::Excess) of the vertices that an operation
+// touches: negative where their numbers of triangles come nearer to the ideal ones.
 
 inline double ChangeOfSquaredExcess(double excess, double change)
 {
   return change * (2.0 * excess + change);
 }
 
-/// Of the collapse of an edge; infinite where both of its ends are fixed.
+/// The change by the collapse of an edge; infinite where both of its ends are fixed.
 inline double ValenceChangeOfCollapse(const MutableMesh& mesh, Id edge)
 {
   Id kept = mesh.Origin(edge);
@@ -46,7 +46,7 @@ inline double ValenceChangeOfCollapse(const MutableMesh& mesh, Id edge)
                       : change + ChangeOfSquaredExcess(mesh.Excess(mesh.Corners[twin]), -1.0);
 }
 
-/// Of the split of an edge.
+/// The change by the split of an edge.
 inline double ValenceChangeOfSplit(const MutableMesh& mesh, Id edge)
 {
   const Id twin = mesh.Twins[edge];
@@ -62,10 +62,10 @@ inline double ValenceChangeOfSplit(const MutableMesh& mesh, Id edge)
 ///
 /// An operation is scored by the change of the sum of squared excesses (see MutableMesh::Excess)
 /// of the vertices it touches, plus 12 (l - 0.67 - s) for a collapse and 12 (1.28 + s - l) for a
-/// split of an edge of l spacings, where s is five times what the mean l is below 1, within 0.1
-/// either way. Parts of segments count as SegmentParts.h says: no collapse leaves one that is too
-/// long, and the split of one that is too long counts five times. Operations with a negative score
-/// are done, the lowest first, each vertex at most once; then the vertices nearby are smoothed. No
+/// split of an edge of l spacings, where s = clamp(5 (1 - mean of l), -0.1, 0.1). For parts of
+/// segments (SegmentParts.h): no collapse leaves a part that is too long, and the second term of
+/// the split of a part that is too long counts five times. Operations with a negative score are
+/// done, the lowest first, each vertex at most once; then the vertices nearby are smoothed. No
 /// operation is done that would leave a triangle with an angle below 20 degrees that is worse than
 /// the worst one around it before.
 class ValenceRound
