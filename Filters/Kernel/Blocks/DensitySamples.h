@@ -23,10 +23,10 @@ struct DensitySample
   double Density = 0.0;
 };
 
-/// The leaves of a quadtree over the domain's box, the root at level 0, divided down to level 5, and
-/// then to level 16 until each has at most about `most` of the integral, or the tree `mostVisits`
-/// squares. Squares outside of the domain are left out. Depends on the arguments alone. Where the
-/// monitor wants to stop the result has no meaning.
+/// The leaves of a quadtree over the domain's box, the root at level 0. Squares are divided down to
+/// level 5; from there to level 16 while they have more than about `most` of the integral and fewer
+/// than `mostVisits` were visited. Squares outside of the domain are left out. Depends on the
+/// arguments alone. Where the monitor wants to stop the result has no meaning.
 std::vector<DensitySample> SampleDensity(const Domain& domain, const DomainLocator& locator,
   const Spacing& spacing, double most, std::size_t mostVisits, Pulse& pulse);
 

@@ -22,9 +22,9 @@ bool IsTooLongPart(const MutableMesh& mesh, Id edge);
 /// Whether the edge is a part of a segment, and its collapse would leave a part that is too long.
 bool LeavesLongPart(const MutableMesh& mesh, Id edge);
 
-/// Whether the edge is a part of a segment that is too short for a split: l < 1; or, where both ends
-/// are fixed, l h < 1 with h the length of the shorter half, which would have the larger ratio, or
-/// rounding or the options forbid it (MutableMesh::MayDivide).
+/// Whether the edge is a part of a segment that is too short for a split: l < 1; or, where both
+/// ends are fixed, l h < 1 with h the length of the shorter half, whose ratio would be larger, or
+/// not MutableMesh::MayDivide.
 bool LeavesShortParts(const MutableMesh& mesh, Id edge);
 
 /// For a vertex that slides by `step` along its segment: the largest share of the step, in [0, 1],
