@@ -19,8 +19,8 @@ struct RelaxedBody
 {
   std::vector<Point3> Points;
   std::vector<double> Sizes;      ///< f at points
-  Id NumberOnLines = 0;           ///< these stay
-  Id NumberOnBoundary = 0;        ///< with these; the others of them slide on their patch
+  Id NumberOnLines = 0;           ///< vertices that stay
+  Id NumberOnBoundary = 0;        ///< and those that slide on their patch, together
   std::vector<Id> BoundaryPlaces; ///< of vertices of the boundary: a triangle of the ground there
 
   std::vector<Id> Corners; ///< four vertices a tetrahedron, positive by Orient3D
@@ -38,19 +38,19 @@ struct RelaxedBody
 
 /// Makes its tetrahedra better: vertices move to where the errors of interpolation are least (ODT,
 /// density of f), those on the boundary on the ground; flips and the removal of edges take slivers
-/// away; then the vertices of the worst tetrahedra move by trial. Where angles below 31 degrees
-/// remain, what is about them gets better than it needs to be, vertices inside are merged with
-/// others, or are added, which come last. Facets change by flips of two within a patch only.
-/// Laws: no step makes the worst dihedral angle about it worse, but for those that stay above 35
-/// degrees; tetrahedra stay positive, exactly; the boundary stays closed and within its patches;
-/// regions keep their facets. When it is stopped the body is one, too, of those laws.
+/// away; then the vertices of the worst tetrahedra move by trial. Around angles that stay below 31
+/// degrees also the other tetrahedra are improved, inner vertices are merged with neighbors or
+/// inserted; inserted ones come last. Facets change by 2-2 flips within a patch only.
+/// Laws: no step makes the worst dihedral angle of the tetrahedra that it changes worse, unless all
+/// stay above 35 degrees; tetrahedra stay positive, exactly; the boundary stays closed and within
+/// its patches; regions keep their facets. A stopped relaxation keeps these laws, too.
 /// Target: every dihedral angle at least 30 degrees where the input's are 90 and f fits.
 /// Does not depend on the number of threads.
 void RelaxBody(const SurfaceGround& ground, const std::function<double(const Point3&)>& f,
   RelaxedBody& body, Pulse& pulse);
 
-/// Flips and the removal of edges alone, for dihedral angles below 1 degree: four vertices in a
-/// plane face may have a tetrahedron that is positive by rounding, and not where the body is moved.
+/// Flips and the removal of edges alone, for dihedral angles below 1 degree: a tetrahedron of four
+/// vertices on a plane face may be positive by rounding only, and lose that when the body is moved.
 void RemoveFlatTetrahedra(const SurfaceGround& ground, RelaxedBody& body, Pulse& pulse);
 
 } // namespace biting

@@ -74,9 +74,9 @@ public:
   TetMesh Mesh;
   std::vector<double> Badness; ///< of cells
 
-  // When a cell at a vertex was changed last, and when a move, or a change of
-  // a cell, was tried in vain: no
-  // use to try again before one at its corners was.
+  // Times: of the last change of a cell at a vertex; of the last vain attempt to move a vertex, or
+  // to change a cell. An attempt is repeated only after a change at the vertex, or at a corner of
+  // the cell.
   std::uint32_t Clock = 0;
   std::vector<std::uint32_t> Touched;      ///< of vertices
   std::vector<std::uint32_t> TriedMoves;   ///< of vertices
@@ -94,7 +94,7 @@ private:
   void Attach(Id record, Id half, Id slot);
 
   Id NumberOfGiven;           ///< vertices
-  bool IsLinked = false;      ///< not where it was stopped before
+  bool IsLinked = false;      ///< false where the constructor was stopped
   std::vector<Id> FacetSlots; ///< two a record: of the cells on its sides, NoId beyond the boundary
   IdLists KeptEnds;           ///< of vertices on lines: the greater ends of edges that stay
   std::vector<Id> Star;

@@ -12,12 +12,12 @@
 namespace biting
 {
 
-/// Cells of a body, and what fills the space that they took. Facets of the records named are not
-/// facets any more; others stay.
+/// The replacement of cells of a body by a filling of the same cavity. Records in Facets get new
+/// facets; all other facets of the cavity stay.
 class CellChange
 {
 public:
-  /// A facet that takes the place of that of a record.
+  /// The new facet of a record.
   struct NewFacet
   {
     Id Record;
@@ -39,7 +39,7 @@ private:
     std::array<Id, 3> Corners;
     Id Slot;   ///< NoId where there is none
     Id Record; ///< NoId where there is none
-    Id Half;   ///< of the record that this is; NoId: both are anew
+    Id Half;   ///< which of the record's two FacetSlots; NoId: both are set anew
   };
 
   void AddWalls(BodyTets& tets);

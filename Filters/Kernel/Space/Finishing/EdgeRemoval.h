@@ -13,8 +13,8 @@
 namespace biting
 {
 
-/// Changes of how vertices are connected. Each makes the worst of the tetrahedra that it changes
-/// better, and leaves all positive, exactly.
+/// Changes of the connections between vertices. Each makes the worst of the tetrahedra that it
+/// changes better, and leaves all positive, exactly.
 class EdgeRemoval
 {
 public:
@@ -37,8 +37,8 @@ public:
   /// `edge`: 0 to 5, a row of EdgeCorners.
   bool Remove(Id cell, std::size_t edge);
 
-  /// Puts a vertex inside on one of the edges that no facet with a record has, or off it; the cells
-  /// about the edge are halved.
+  /// Inserts a vertex at the middle of an edge of the cell that lies on no facet with a record, or
+  /// near the middle: each cell about the edge becomes two.
   bool Split(Id cell);
 
   /// Takes a facet away: two tetrahedra become three about the edge between their apexes.

@@ -12,8 +12,8 @@
 namespace biting
 {
 
-/// What changes of the boundary the ground allows: new facets turn from the ground's normals at
-/// their vertices by no more than 45 degrees, or than those before them did.
+/// The changes of the boundary that the ground allows: the angles between the normal of a new facet
+/// and those of the ground at its vertices are at most 45 degrees, or that of the facets before.
 class GroundNormals
 {
 public:
@@ -24,7 +24,7 @@ public:
   {
   }
 
-  /// The nearest place of the patch on which the vertex of the boundary lies.
+  /// GroundPatches::Project, on the patch of the vertex, which is of the boundary.
   GroundPlace Project(Id vertex, const Point3& place) const
   {
     return this->Patches.Project(this->Body.BoundaryPlaces[At(vertex)], place);
@@ -34,7 +34,7 @@ public:
   bool AllowsMove(
     const BodyTets& tets, const std::vector<Id>& star, Id vertex, const GroundPlace& place) const;
 
-  /// Of two facets that become two others.
+  /// Whether two facets may become two others.
   bool AllowsFlip(const BodyTets& tets, const std::array<std::array<Id, 3>, 2>& before,
     const std::array<std::array<Id, 3>, 2>& after) const;
 

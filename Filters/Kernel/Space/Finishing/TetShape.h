@@ -12,11 +12,11 @@
 namespace biting
 {
 
-/// By how much Badness falls at least where something gets better.
+/// A change is accepted as better only where Badness falls by at least this much.
 constexpr double LeastGain = 1e-4;
 
-/// A tetrahedron seen from its first corner v: the sides to the others, and the normals of the
-/// faces opposite the corners, inwards where it is positive, as long as twice the areas.
+/// A tetrahedron seen from its first corner v: the sides to corners a, b, c, and the normals of the
+/// faces opposite these, inwards where it is positive, as long as twice the areas.
 struct TetShape
 {
   TetShape(const Point3& v, const Point3& a, const Point3& b, const Point3& c)

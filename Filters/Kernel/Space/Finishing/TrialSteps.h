@@ -9,8 +9,8 @@
 namespace biting
 {
 
-/// Calls goes(step) for steps towards a cube's faces and corners, `longest` long at first: again
-/// where it has answered true, half as long where none has, until they are shorter than `shortest`.
+/// Compass search: calls goes(step) for 14 steps, towards a cube's faces and corners, until one
+/// returns true; then anew, with half the length if none did: from `longest` down to `shortest`.
 template <typename Goes>
 void TryInSteps(double longest, double shortest, const Goes& goes)
 {

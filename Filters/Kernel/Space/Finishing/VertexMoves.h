@@ -30,8 +30,8 @@ public:
   /// tetrahedra, weighted by volume / f^3: where piecewise linear interpolation of |x|^2 has the
   /// least error (L. Chen, J. Xu, "Optimal Delaunay triangulations", 2004; P. Alliez et al.,
   /// "Variational tetrahedral meshing", 2005). On the boundary, of the middles of its facets,
-  /// weighted by area / f^4, on the ground. Not where the worst of its tetrahedra were worse than
-  /// it was, and than `good`. Precondition: it is on no line.
+  /// weighted by area / f^4, on the ground. No move may make the worst Badness at the vertex higher
+  /// than both before and `good`. Precondition: the vertex is on no line.
   bool Smooth(Id vertex, double good);
 
   /// Moves a vertex so that the worst of its tetrahedra gets better, by trial in directions with
@@ -39,12 +39,12 @@ public:
   /// Those on lines stay.
   bool Improve(Id vertex, double good);
 
-  /// Merges a vertex inside with another of a common cell: that takes its place in its cells. If
-  /// that is inside, too, it moves to where the worst of all about both is best.
+  /// Merges an inner vertex into `other`, of a common cell, which replaces it in its cells. If
+  /// `other` is inside, it moves to where the worst of the cells about both is best.
   bool Merge(Id vertex, Id other);
 
 private:
-  /// A tetrahedron at the vertex: the corners of the facet opposite.
+  /// A tetrahedron at the vertex, by the facet opposite: its slot and corners.
   struct Cone
   {
     double Badness;

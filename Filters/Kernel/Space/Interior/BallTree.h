@@ -17,20 +17,20 @@
 namespace biting
 {
 
-/// What a bite takes: no later center is within its guard, and its surface has candidates.
+/// A bite, or a ball at the boundary. No later center lies in its guard.
 struct GuardedBall
 {
   Point3 Center;
   double Radius = 0.0; ///< of a ball; half of the diagonal of a cube
-  double Guard = 0.0;  ///< of a ball; half of the side of a cube: less than the bite
-  Id Frame = NoId;     ///< of a cube: its axes
-  Id LastVisit = NoId; ///< of the tree
+  double Guard = 0.0;  ///< radius of the guard; of a cube half of its side: less than the bite's
+  Id Frame = NoId;     ///< of a cube: the number of its axes; NoId: a ball
+  Id LastVisit = NoId; ///< the number of the tree's last visit that came here
 };
 
-/// Balls of any sizes, to be found by what they meet: an octree whose leaves list the balls that
-/// meet them. A leaf is no larger than LargestLeaf radii of any ball in it, so that a leaf has some
-/// 30 balls that are spread as bites. Cost: a walk down the tree for a place; constant for the
-/// neighbors of a ball.
+/// Finds balls of any sizes at a place or near a ball: an octree whose leaves list the balls that
+/// meet them. A leaf is no larger than LargestLeaf radii of any ball in it, so that bites put some
+/// 30 balls into a leaf. Cost: a walk down the tree for a place; constant for the neighbors of a
+/// ball.
 class BallTree
 {
 public:
@@ -43,7 +43,7 @@ public:
   const GuardedBall& At(Id ball) const { return this->Items[static_cast<std::size_t>(ball)]; }
   Id Size() const { return static_cast<Id>(this->Items.size()); }
 
-  /// Calls visit(id, other) for all that may meet it, then adds it.
+  /// Calls visit(id, other) for all balls that may meet `ball`, then adds `ball`.
   template <typename Visit>
   void Add(const GuardedBall& ball, const Visit& visit)
   {
@@ -69,7 +69,7 @@ public:
       [this, number, &visit](Id node) { this->VisitLeaf(node, number, visit); });
   }
 
-  /// Whether isGuarded(ball) for a ball that has the place and the number `first` or a later one.
+  /// Whether isGuarded(ball) holds for a ball of number >= `first` in the leaf of the place.
   template <typename IsGuarded>
   bool HasAt(const Point3& place, Id first, const IsGuarded& isGuarded) const
   {
@@ -90,7 +90,7 @@ public:
 private:
   static constexpr double LargestLeaf = 2.8;
 
-  /// Leaves are not cut below this share of the whole.
+  /// Leaves are not cut below this share of half the side of the root.
   static constexpr double LeastShare = 1e-9;
 
   struct Cube
@@ -151,7 +151,7 @@ private:
     }
   }
 
-  /// To the list of a leaf.
+  /// Adds the ball to the list of a leaf.
   void Prepend(Id node, Id ball)
   {
     const Id head = ~this->NodeAt(node);

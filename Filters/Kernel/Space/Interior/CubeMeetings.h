@@ -13,24 +13,24 @@
 namespace biting
 {
 
-/// Half of the side of a cube, in that of half its diagonal.
+/// The side of a cube in units of its diagonal: 1 / sqrt(3).
 constexpr double HalfSideShare = 0.57735026918962576;
 
-/// Axes of cubes at the vertices of a boundary, behind those of the world: an axis is the normal of
-/// a facet of the vertex. At feature lines, where facets differ by more than 40 degrees, that of
-/// another facet is the second, as far as it is at right angles to the first.
+/// Axes of cubes: those of the world, then those of vertex k at k + 1. The first axis is the normal
+/// of a facet at the vertex. The second is, made orthogonal to the first, the normal of a facet
+/// turned by more than 40 degrees, as at feature lines, or else an axis of the world.
 std::vector<CubeAxes> AxesOfBoundary(const BodyBoundary& boundary);
 
-/// The places of one cube's surface where the surfaces of two other cubes meet it, or one at an
-/// edge, or its own edges meet, and no guard has them, nor that of a ball.
+/// The meetings on the surface of one cube, outside of all guards of cubes and balls: its corners,
+/// the places where another surface crosses its edges, and where two others cross on a face.
 ///
-/// Face by face: in its plane other cubes have convex polygons. Sides that one guard has are left
-/// out. Meetings are the ends of sides, and where sides cross.
+/// Face by face: another cube meets the plane of a face in a convex polygon. Sides inside one guard
+/// are left out. Meetings are the ends of sides, and the crossings of sides.
 class CubeMeetings
 {
 public:
-  /// Half a side in f, so that the mean edge has the length f; and cubes of side 2 that take a
-  /// large volume of 1. Both measured.
+  /// Half a side in f, for a mean edge length f; and the number of cubes of side 2 per unit of a
+  /// large volume. Both measured.
   static constexpr double BitingConstant = 0.7;
   static constexpr double BitesPerVolume = 0.7;
 
@@ -40,7 +40,7 @@ public:
   {
   }
 
-  /// Whether the guard of a cube or a ball has a place.
+  /// Whether the place lies in the guard of a cube or a ball.
   bool IsGuarded(const GuardedBall& ball, const Point3& place) const;
 
   void Start(const GuardedBall& cube);

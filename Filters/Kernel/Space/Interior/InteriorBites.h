@@ -30,7 +30,7 @@ struct EmptyBall
   double Radius = 0.0;
 };
 
-/// The boundary of a body as it is filled. Balls of no radius are none.
+/// The boundary of a body to be filled. A ball of radius 0 has no effect.
 struct BodyBoundary
 {
   std::vector<Point3> Centers;  ///< of the bites of the boundary, which are its vertices
@@ -46,7 +46,7 @@ struct BodyBoundary
   std::function<double(const Point3&)> Spacing;
 };
 
-/// Of cubes: unit, at right angles to each other.
+/// Axes of a cube: unit vectors at right angles to each other.
 using CubeAxes = std::array<Point3, 3>;
 
 struct InteriorBites
@@ -65,16 +65,16 @@ struct InteriorBites
 /// bites are apart, and there are finitely many where f is above a positive number.
 ///
 /// Vertices of the boundary are bites of the same shape. Among spheres, empty balls have candidates
-/// as if they were bites: so all corners of what no sphere takes have been candidates. What is left
-/// would have corners inside, as bites and empty balls take all of the boundary: nothing is left.
-/// Among cubes, empty balls are guards only: that nothing is left is tested, not proven.
+/// as bites have. So nothing is left: a part of the body outside of all spheres would have a corner
+/// inside the body, as bites and empty balls cover the boundary, and each such corner was a
+/// candidate. Among cubes, empty balls are guards only: there this is tested, not proven.
 ///
-/// Candidates are asked to be inside if a parent is of the boundary: bites and empty balls of the
-/// boundary are a wall that is thicker than the radius of a sphere. Cubes and spheres of a larger
-/// `constant` reach beyond it: all their candidates are asked.
+/// A candidate with a parent on the boundary is tested to be inside. Others need no test: bites and
+/// empty balls of the boundary are a wall thicker than the radius of a sphere. Cubes, and spheres
+/// of a larger `constant`, reach beyond it: all their candidates are tested.
 ///
-/// `constant`: radius of a sphere, or half the side of a cube, in f; 0: the one for which edges of
-/// the mesh are as long as f in the mean. Bites of the boundary have that one in any case.
+/// `constant`: radius of a sphere, or half the side of a cube, in f; 0: the shape's BitingConstant,
+/// for a mean edge length f. Bites of the boundary always have that one.
 /// More than `mostBites`: the result is incomplete. Deterministic; uses no threads.
 /// Cost: 8 to 12 us a bite, of cubes ten times that; 250 bytes a bite. (Measured at 10^6 bites.)
 InteriorBites BiteInterior(const BodyBoundary& boundary, SpaceBiteShape shape,

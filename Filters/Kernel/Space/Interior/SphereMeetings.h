@@ -14,22 +14,22 @@
 namespace biting
 {
 
-/// The places of one sphere where two others meet it and no guard has them.
+/// The places on one sphere where two others meet it, outside of all guards.
 ///
-/// In units of its radius, about its center: the circle of another ball lies in the plane
+/// In units of its radius, about its center: another ball meets it in a circle, in the plane
 /// u . x = h, and x is within its guard where u . x > g. Two circles meet at
 /// x = a u + b v +- c u x v where a + b u.v = h, b + a u.v = k, |x| = 1.
 class SphereMeetings
 {
 public:
-  /// Radius in f, so that the mean edge has the length f; and spheres of radius 1 that take a large
-  /// volume of 1. Both measured.
+  /// Radius in f, for a mean edge length f; and the number of spheres of radius 1 per unit of a
+  /// large volume. Both measured.
   static constexpr double BitingConstant = 0.885;
   static constexpr double BitesPerVolume = 1.3;
 
   explicit SphereMeetings(const std::vector<CubeAxes>& /*axes*/) {}
 
-  /// Whether the guard of a ball has a place.
+  /// Whether the place lies in the guard of the ball.
   bool IsGuarded(const GuardedBall& ball, const Point3& place) const
   {
     const Point3 apart = place - ball.Center;
@@ -43,7 +43,7 @@ public:
     this->IsHidden = false;
   }
 
-  /// Another one.
+  /// Adds the circle in which another ball meets the sphere.
   void Add(Id id, const GuardedBall& other)
   {
     const Point3 way = other.Center - this->Own.Center;
@@ -70,7 +70,7 @@ public:
   template <typename IsParent, typename Visit>
   void Find(const IsParent& isParent, const Visit& visit)
   {
-    // Large guards first: they have most of what they have to hide.
+    // Large guards first: they hide most places.
     std::sort(this->Circles.begin(), this->Circles.end(),
       [](const Circle& a, const Circle& b)
       { return a.Guard < b.Guard || (a.Guard == b.Guard && a.Ball < b.Ball); });
@@ -126,15 +126,15 @@ private:
     }
   }
 
-  /// Whether one guard has all of the circle: the angle between the ways and that of the circle are
-  /// together less than that of the guard.
+  /// Whether the circle lies in one guard: the angle between the ways plus the angle of the circle
+  /// is less than the angle of the guard.
   bool IsGuarded(const Circle& circle) const
   {
     for (const Circle& other : this->Circles)
     {
       if (other.Guard >= circle.Height)
       {
-        return false; // nor has any of the others
+        return false; // the guards that follow are smaller
       }
       if (Dot(circle.Way, other.Way) >
         other.Guard * circle.Height + other.GuardSine * circle.HeightSine)
@@ -159,8 +159,8 @@ private:
 
   GuardedBall Own;
   std::vector<Circle> Circles;
-  std::vector<Circle> Parents; ///< those of which a part is free
-  bool IsHidden = false;       ///< another ball has all of the sphere
+  std::vector<Circle> Parents; ///< the circles that lie in no guard
+  bool IsHidden = false;       ///< another ball contains the sphere
 };
 
 } // namespace biting
