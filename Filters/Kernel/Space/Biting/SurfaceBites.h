@@ -13,19 +13,19 @@ namespace biting
 {
 
 /// Bites on a surface, in their order: first the corners, then the vertices of chains, then those
-/// of the surface. A bite is the part of the surface within its ball that hangs together with its
-/// centre; that of a centre on no feature does not go on beyond feature lines. So opposite walls do
-/// not see each other.
+/// of the surface. A bite is the connected part of the surface within its ball that has its centre;
+/// the bite of a centre on no feature ends at feature lines. So a bite has no part of an opposite
+/// wall.
 struct SurfaceBites
 {
   std::vector<Point3> Centers;
   std::vector<double> Sizes;      ///< f; at features the length of the shortest piece there
   std::vector<double> Radii;      ///< of balls
-  std::vector<double> Guards;     ///< no later centre is nearer, on what a bite takes
+  std::vector<double> Guards;     ///< no later centre in the bite is nearer to its centre
   std::vector<Id> Triangles;      ///< of the ground, where the centre lies
   std::vector<Id> GroundVertices; ///< of corners; else NoId
   Id NumberOfCorners = 0;
-  Id NumberOnLines = 0; ///< with corners
+  Id NumberOnLines = 0; ///< of bites at corners and on chains
 
   // Pieces of chains: two bites each.
   std::vector<Id> PieceEnds;
@@ -44,16 +44,16 @@ struct SurfaceBites
   static constexpr double WeightShare = 0.9;
 };
 
-/// Radius of a bite of the surface, in f: so the mean edge has the length f.
+/// Radius of a bite of the surface, in f, for a mean edge length f.
 constexpr double SurfaceBitingConstant = 0.94;
 
 /// Bites the surface, until all of it is taken.
 ///
 /// Chains are divided by equal integrals of 1/f. Then first in, first out: a candidate is where the
 /// spheres of two bites and the surface meet, or anywhere on the sphere of a bite that meets no
-/// other; it becomes a bite where no earlier one has it within its guard. All of a patch is taken
-/// once no candidate is left: what is left of it would be bounded by spheres, and their corners are
-/// candidates.
+/// other; it becomes a bite where it lies in the guard of no earlier one. All of a patch is taken
+/// once no candidate is left: a remaining part would be bounded by spheres, and its corners would
+/// be candidates.
 /// More than `mostBites`: the result is incomplete.
 SurfaceBites BiteSurface(const SurfaceGround& ground, std::size_t mostBites, Pulse& pulse);
 

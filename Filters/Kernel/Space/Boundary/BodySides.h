@@ -15,20 +15,20 @@ namespace biting
 struct BodySides
 {
   std::vector<TriangleSides> Sides; ///< of triangles
-  std::vector<Id> Regions;          ///< of labels, ascending from label 1: what users call them
-  Id OpenTriangle = NoId;           ///< it has one part of space on both sides: nothing is known
+  std::vector<Id> Regions;          ///< the user's region value of each label, from label 1 on
+  Id OpenTriangle = NoId;           ///< a triangle with one part on both sides: no bodies are known
 };
 
-/// Parts of space are what hangs together without crossing a triangle: sides of triangles meet
-/// around their edges (exact order), shells along rays. The outermost part is no body.
+/// A part is a connected component of space without the triangles: sides of triangles are joined
+/// around edges (exact order), shells along rays. The outermost part is no body.
 ///
-/// What a shell closes in, without values: a body where the part around is none (even-odd); all
-/// parts are bodies where an edge has an odd number of triangles, as walls between bodies have.
-/// With values: a shell of one value closes in a body of this region; a cavity where the part
-/// around has the same. In a shell of several each triangle belongs to a body of its value on one
-/// of its sides; parts that no triangle belongs to are cavities (walls that are given twice have
-/// the first value only). Where that does not go, or where a shell of several values has no edge of
-/// more than two triangles, it is as without values.
+/// A part inside a shell, without values: a body if the part around the shell is none (even-odd);
+/// always a body if an edge of the shell has an odd number of triangles, as at walls of bodies.
+/// With values: in a shell of one value a body of this region, or a cavity if the part around is a
+/// body of the same region. In a shell of several values each triangle belongs to a body of its
+/// value on one of its sides; a part that owns no triangle is a cavity (walls that are given twice
+/// have the first value only). Where a triangle finds no such body, or a shell of several values
+/// has no edge of more than two triangles, all is as without values.
 /// Without values regions count bodies from 0 in the order of their first triangles.
 /// Triangles are turned so that IsBehind(label behind, label in front).
 BodySides FindBodies(SurfaceMesh& mesh, const std::vector<Id>& values, Pulse& pulse);

@@ -11,7 +11,7 @@ namespace biting
 
 /// The certificates of facets: each bite is a vertex, each piece of a chain an edge, each other
 /// edge has two facets, the facets of a vertex are one fan (at features those between chains), and
-/// are within 60 degrees of the surface. Offences get what is not so.
+/// are within 60 degrees of the surface. Each failure is added to Offences.
 void CheckBoundary(
   const SurfaceGround& ground, const SurfaceBites& bites, SurfaceBoundary& boundary, Pulse& pulse);
 

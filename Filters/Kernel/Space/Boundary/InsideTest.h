@@ -10,9 +10,9 @@
 namespace biting
 {
 
-/// Whether the ray from the place along the first axis meets the triangle. Exact: it passes no
-/// edge, as if the place were moved by infinitely little along the third axis and by less along the
-/// second. Where the place is on the triangle, either.
+/// Whether the ray from the place along the first axis meets the triangle. Exact, and no ray meets
+/// an edge: the place counts as moved by an infinitesimal along the third axis and a smaller one
+/// along the second. For a place on the triangle the answer may be either.
 bool MeetsRay(const std::array<Point3, 3>& triangle, const Point3& place);
 
 /// On which side of surfaces that bound parts of space a place is: along a ray the label changes

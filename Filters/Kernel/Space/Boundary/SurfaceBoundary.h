@@ -36,18 +36,18 @@ struct SurfaceBoundary
   std::vector<Id> Triangles;        ///< of the ground, where the dual edge of the facet meets it
   std::vector<TriangleSides> Sides; ///< of facets of solids: labels behind and in front
 
-  /// Of facets: where the dual edge meets the surface, nearest to the facet. As long as no centre
-  /// comes into the ball about it that is orthogonal to the corners, the triangulation has the
-  /// facet.
+  /// Of facets: the meeting of dual edge and surface nearest to the facet. The triangulation keeps
+  /// the facet as long as no centre is added in the ball about this place that is orthogonal to the
+  /// corners.
   std::vector<Point3> BallCenters;
   std::vector<BoundaryOffence> Offences;
   std::vector<Point3> Uncovered; ///< centres of balls larger than bites
 };
 
-/// Finds them. Of a solid (the ground has sides) they are the facets between cells whose power
-/// centres have different labels: closed by construction, and without self-crossings, as facets of
-/// one triangulation. Of other surfaces they are the facets whose dual edges meet the surface.
-/// Then all certificates but those of the whole: faults are told, not repaired.
+/// Finds the facets. For a solid (the ground has sides): those between cells whose power centres
+/// have different labels, closed by construction, and without self-crossings, as facets of one
+/// triangulation. For other surfaces: those whose dual edges meet the surface. Then checks all
+/// certificates (CheckBoundary) but those of the whole (CheckWhole): faults are not repaired.
 SurfaceBoundary FindBoundary(const SurfaceGround& ground, const SurfaceBites& bites,
   const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse);
 

@@ -14,7 +14,7 @@
 namespace biting
 {
 
-/// What two meshes of one surface must agree in, part by part: parts hang together by vertices.
+/// Whether two meshes of one surface agree, part by part. A part is connected through vertices.
 struct WholeVerdict
 {
   bool IsSame = true;

@@ -14,12 +14,12 @@ namespace biting
 void FlagFeatures(
   SurfaceGround& ground, const std::vector<Id>& regions, double angle, Pulse& pulse);
 
-/// Sets Places and Chains by Flags. A corner is where a number of chains other than two meet, two
-/// kinds do, or a chain turns by more than 50 degrees.
+/// Sets Places and Chains by Flags. A corner is a vertex where the number of chains is not two,
+/// where chains of two kinds meet, or where a chain turns by more than 50 degrees.
 void FindChains(SurfaceGround& ground);
 
-/// Makes corners one between which a chain is shorter than a tenth of f as given. The other chains
-/// of the one that goes lead on along that chain, to the one that stays.
+/// Merges the two corners of each chain shorter than a tenth of f as given. The other chains of the
+/// corner that goes are continued along that chain, to the corner that stays.
 void MergeCorners(SurfaceGround& ground);
 
 /// Takes away the flags of chains of turning edges that are shorter than f and end in nothing:

@@ -27,7 +27,7 @@ public:
   /// A number of the patch.
   Id PatchOf(Id triangle) const { return this->Patches[At(triangle)]; }
 
-  /// The nearest place of the patch, by going downhill from a triangle of it.
+  /// The nearest place of the patch, by descent from `triangle` to neighbors: a local minimum.
   GroundPlace Project(Id triangle, const Point3& place) const;
 
 private:

@@ -58,9 +58,8 @@ enum class FeaturePlace : std::uint8_t
 using TriangleSides = std::array<Id, 2>;
 
 /// A surface as it is bitten: its triangles divided until no edge is longer than LongestEdge f, so
-/// that each bite and each place has a handful of them; the patches that feature lines bound; f at
-/// the vertices, linear between. Points of the surface are no points of the input's triangles but
-/// for rounding.
+/// that each bite and each place meets a handful of them; the patches that feature lines bound; f
+/// at the vertices, linear between. Vertices lie on the input's triangles, to rounding.
 struct SurfaceGround
 {
   SurfaceMesh Mesh;                 ///< Cells: the triangle of the input that each is a part of
@@ -83,7 +82,7 @@ struct SurfaceGround
   double SizeAt(Id triangle, const Point3& place) const;
 };
 
-/// Edges of the ground, in units of f at their ends.
+/// The longest edges of the ground, in units of f at their ends.
 constexpr double LongestEdge = 1.2;
 
 /// Divides all edges longer than LongestEdge f: in halves, round by round, all long ones at once.

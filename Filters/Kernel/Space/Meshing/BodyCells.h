@@ -18,11 +18,11 @@ struct BodyCells
 {
   std::vector<Id> Corners; ///< four points each, positive by Orient3D
   std::vector<Id> Labels;  ///< of tetrahedra, not 0
-  std::vector<Id> Lost;    ///< facets that the triangulation has not, or with other labels beside
+  std::vector<Id> Lost;    ///< facets not in the triangulation; if none: with other labels beside
 };
 
-/// Labels parts of space that facets divide by what they are beside. `facets`:
-/// three points each, of the first `boundaryPoints`; `sides`: labels behind and in front of each.
+/// Labels each connected part of space between facets by the sides of the facets around it.
+/// `facets`: three of the first `boundaryPoints` points each; `sides`: labels behind and in front.
 BodyCells LabelCells(const SpaceTriangulation& triangulation, const std::vector<Id>& facets,
   const std::vector<TriangleSides>& sides, std::size_t boundaryPoints, Pulse& pulse);
 

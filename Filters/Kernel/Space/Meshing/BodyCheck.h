@@ -13,18 +13,18 @@
 namespace biting
 {
 
-/// What is found of a body that is to be handed out.
+/// The result of the final check of a body.
 struct BodyVerdict
 {
-  std::string What; ///< what is wrong first; empty: nothing
+  std::string What; ///< the first fault; empty: none
   Point3 Place;
   std::vector<Id> CellsBehind; ///< of facets: the tetrahedron on the side they look away from
 };
 
-/// The final check, which trusts nothing that was done before. Facets are what they are said to be
-/// (RelaxedBody); they cross nowhere; pieces are edges of them; the volume of each label is nearly
-/// the one that the surface encloses, whose triangles have `sides`. With tetrahedra that are all
-/// positive (FindNotPositive) it follows that they overlap nowhere and fill what the facets bound.
+/// The final check, which trusts no earlier step. Checks: facets are those of RelaxedBody::Facets;
+/// they cross nowhere; pieces are edges of facets; the volume of each label is nearly that inside
+/// the surface, whose triangles have `sides`. With tetrahedra that are all positive
+/// (FindNotPositive) it follows that they overlap nowhere and fill the space that facets bound.
 BodyVerdict CheckBody(const CheckedSurface& surface, const std::vector<TriangleSides>& sides,
   const RelaxedBody& body, Pulse& pulse);
 

@@ -11,8 +11,8 @@
 #include <functional> // for f
 #include <vector>     // for the arrays
 
-// What meshing a surface and meshing a body have in common: the surface divided, bitten, and its
-// boundary in the triangulation of the bites, certified.
+// The steps common to meshing surfaces and bodies: the surface is divided and bitten, its boundary
+// in the triangulation of the bites is found and certified.
 
 namespace biting
 {
@@ -20,43 +20,43 @@ namespace biting
 struct CertifiedSurface
 {
   SurfaceGround Ground;
-  std::function<double(const Point3&)> Spacing; ///< f as given, or what stands for it
+  std::function<double(const Point3&)> Spacing; ///< f as given, or its default
   SurfaceBites Bites;
   BoxTree<SurfaceItem, 3> Tree; ///< of the ground
   SurfaceBoundary Boundary;     ///< without offences
 };
 
-/// Finds it, in rounds: where certificates fail, f is lowered or turning lines are given up. Where
-/// edges stay too sharp for f, facets may be turned and points of the surface be up to f / 2 from
-/// the mesh: told as LostFeatures.
+/// Fills `result`, in rounds: where certificates fail, f is lowered or turning lines are given up.
+/// Where edges stay too sharp for f, facets may be turned and points of the surface be up to f / 2
+/// from the mesh: the problem LostFeatures.
 /// `sides`: of each triangle of the surface, the labels of space behind and in front; empty where
-/// it bounds nothing. False where it cannot be or the monitor asks to stop: problems are told.
+/// it bounds nothing. False, with problems, where this fails or the monitor asks to stop.
 bool CertifySurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
   std::vector<TriangleSides> sides, CertifiedSurface& result, ProblemList& problems,
   Monitor& monitor);
 
-/// Whether nothing was refused up to now; that the pulse has stopped is told.
+/// Whether there is no error yet. A stopped pulse is added as the error Aborted.
 bool MayGoOn(ProblemList& problems, Pulse& pulse);
 
-/// All of the mesh that Points, Spacing and Corners leave open.
+/// Fills the other arrays of `mesh` from its Points, Spacing and Corners.
 void DescribeMesh(const CertifiedSurface& certified, const SurfaceMesherOptions& options,
   BitingSurface& mesh, Pulse& pulse);
 
 /// Of facets of the boundary, the triangles of CheckedSurface::Mesh below.
 std::vector<Id> TrianglesBelow(const CertifiedSurface& certified);
 
-/// Whether triangles cross or touch beside what they share.
+/// Whether triangles cross, or touch outside of the corners and edges that they share.
 bool CrossesItself(const std::vector<Point3>& points, const std::vector<Id>& corners, Pulse& pulse);
 
-/// A place near the middle of the surface from which differences to its points are exact: along
-/// axes on which the surface is farther from the origin than its size, the middle, so that points
-/// and it are within a factor of two (Sterbenz); else 0.
+/// A place from which differences to the points of the surface are exact. Along each axis: the
+/// middle m of the surface's box, of diagonal d, where |m| > d, so that m and each point are within
+/// a factor of two (Sterbenz); else 0.
 Point3 OriginFor(const SurfaceMesh& mesh);
 
 void MovePoints(std::vector<Point3>& points, const Point3& way);
 
-/// Calls `make(surface, options, problems)`, which meshes a surface. One far from the origin is
-/// meshed near it, where what is computed has smaller roundings; `move(mesh, way)` takes it back.
+/// Calls `make(surface, options, problems)`, which meshes a surface. A surface far from the origin
+/// is moved to it first, where roundings are smaller; `move(mesh, way)` moves the mesh back.
 template <typename Make, typename Move>
 auto MeshNearOrigin(const CheckedSurface& surface, const SurfaceMesherOptions& options,
   ProblemList& problems, const Make& make, const Move& move)

@@ -28,7 +28,7 @@ inline std::array<Id, 3> LowestFirst(Id a, Id b, Id c)
 class FacetTable
 {
 public:
-  /// `corners`: three vertices a facet, below `vertices`. They stay where they are.
+  /// `corners`: three vertices a facet, below `vertices`. Must outlive this object.
   FacetTable(const std::vector<Id>& corners, std::size_t vertices)
     : Corners(corners)
     , ByLowest(vertices,

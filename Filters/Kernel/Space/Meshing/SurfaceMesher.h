@@ -24,7 +24,7 @@ struct SurfaceMesherOptions
   /// diagonal of the surface. Any number of threads may call it at once.
   std::function<double(const Point3&)> Spacing;
 
-  /// By which f grows along the surface from where a cap lowers it. The given f is taken as it is.
+  /// The slope of f along the surface from where a cap lowers it. The given f is not graded.
   double Gradation = 0.3;
 
   /// True: f is capped by the thickness inside and outside, and by the distance between features;
@@ -71,7 +71,7 @@ struct BitingSurface
   // Triangles: three vertices each, oriented as the surface.
   std::vector<Id> Corners;
   std::vector<Id> Triangles;      ///< the triangle of CheckedSurface::Mesh below the middle
-  std::vector<Id> Regions;        ///< SurfaceMesherOptions::Regions of that; 0 where there are none
+  std::vector<Id> Regions;        ///< SurfaceMesherOptions::Regions of it; 0 where that is empty
   std::vector<double> Deviations; ///< distance of the middle from the surface, in f
 
   // Edges of feature lines: two vertices each.
@@ -88,8 +88,8 @@ struct BitingSurface
 /// - TooThin: walls, or feature lines, nearer to each other than a quarter of f;
 /// - TooSharp: faces that meet at too small an angle for f;
 /// - TooManyVertices; BadSpacing: f is not positive somewhere; Aborted.
-/// Corners between which a feature line is shorter than a tenth of f as given are one.
-/// What was repaired or given up is told: LostFeatures, feature lines that are not in the mesh.
+/// Two corners joined by a feature line shorter than a tenth of f as given are merged.
+/// LostFeatures is a warning: feature lines that are not in the mesh.
 /// Precondition: `surface` was checked and its errors are none but open and non-manifold edges.
 /// Deterministic; does not depend on the number of threads.
 BitingSurface MakeBitingSurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
