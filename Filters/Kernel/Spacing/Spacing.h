@@ -97,7 +97,7 @@ struct SegmentSource
 };
 
 /// A source of any kind, not null. A kind has Values and IsEmpty, which says that it is no source.
-/// To add one: the struct, its name here, an Add in Spacing.cxx and a Check in SourceCheck.cxx.
+/// To add a kind: Filters/README.md, "How to add".
 using GivenSource = std::variant<std::shared_ptr<const GridSource>,
   std::shared_ptr<const TriangulatedSource>, std::shared_ptr<const SegmentSource>>;
 
