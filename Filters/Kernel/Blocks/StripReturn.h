@@ -38,8 +38,8 @@ StripChange ReturnStrips(const std::vector<RelaxedStrip>& strips, JoinedMesh& me
 
 /// Makes the mesh constrained Delaunay by flips, exactly. Precondition: all edges that may not be
 /// Delaunay lie opposite the corners `slots`. Stopped by the monitor, the mesh is valid, no more.
-/// False where a flip came to an edge without a constraint and without a second triangle: the mesh
-/// beyond is in another process, and the result is not that of the whole.
+/// False where a flip came to an edge without a constraint and without a second triangle: the core
+/// of a block beyond is missing here, and the result is not that of the whole.
 bool FlipUntilDelaunay(const std::vector<Point2>& points, std::vector<std::size_t> slots,
   Triangulation& mesh, Pulse& pulse);
 

@@ -46,8 +46,8 @@ struct TriangulatedSource
   std::vector<double> Values; ///< one a point
   std::vector<Id> Triangles;  ///< three point ids each, any orientation
 
-  /// Whether triangles may lie on each other: then the smallest value counts. Else any of them may,
-  /// which takes less time.
+  /// Whether triangles may overlap: then the smallest value counts. Else the value of any triangle
+  /// at the place counts, which takes less time.
   bool MayOverlap = false;
 
   /// Whether the domain is just where the triangles are: then f outside, which is asked for by
@@ -171,7 +171,7 @@ struct SpacingOptions
   /// as they are, neither scaled nor clamped. With gradation 0, g is the default.
   std::shared_ptr<const SegmentSource> Floor;
 
-  double Curvature = 0.0; ///< 0: the plane is one
+  double Curvature = 0.0; ///< 0: the plane itself, no sphere
 };
 
 /// The spacing f(x), in input length units: the edge length wanted at x. Positive and finite
