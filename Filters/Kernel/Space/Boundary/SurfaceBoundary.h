@@ -41,7 +41,6 @@ struct SurfaceBoundary
   /// corners.
   std::vector<Point3> BallCenters;
   std::vector<BoundaryOffence> Offences;
-  std::vector<Point3> Uncovered; ///< centres of balls larger than bites
 };
 
 /// Finds the facets. For a solid (the ground has sides): those between cells whose power centres
