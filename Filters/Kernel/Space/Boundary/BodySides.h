@@ -6,6 +6,7 @@
 
 #include "../Features/SurfaceGround.h"
 
+#include <array>  // for pairs
 #include <vector> // for the arrays
 
 namespace biting
@@ -17,6 +18,7 @@ struct BodySides
   std::vector<TriangleSides> Sides; ///< of triangles
   std::vector<Id> Regions;          ///< of labels, ascending from label 1: what users call them
   Id OpenTriangle = NoId;           ///< it has one part of space on both sides: nothing is known
+  std::array<Id, 2> Folded = { NoId, NoId }; ///< closed: nearest in angle at a crowded edge
 };
 
 /// Parts of space are what hangs together without crossing a triangle: sides of triangles meet
