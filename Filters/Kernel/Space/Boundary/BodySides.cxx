@@ -90,6 +90,7 @@ private:
       if (links.Across[slot] == OpenEdge)
       {
         this->Parts.Unite(SideOf(t, 0), SideOf(t, 1));
+        this->LargestCosine = Infinity; // nothing is folded: it is open
       }
       else if (links.Across[slot] > static_cast<Id>(slot))
       {
@@ -124,6 +125,12 @@ private:
         this->Parts.Unite(
           SideOf(slots[k] / 3, At(runs(slots[k]))), SideOf(next / 3, At(1 - runs(next))));
         this->Shells.Unite(static_cast<Id>(slots[k] / 3), static_cast<Id>(next / 3));
+        const double cosine = this->CosineAtEdge(a, b, slots[k], next);
+        if (cosine > this->LargestCosine)
+        {
+          this->LargestCosine = cosine;
+          this->Result.Folded = { static_cast<Id>(slots[k] / 3), static_cast<Id>(next / 3) };
+        }
       }
       this->CrowdedSlots.push_back(slots[0]);
       this->IsOddSlot.push_back(slots.size() % 2 == 1 ? 1 : 0);
@@ -134,6 +141,14 @@ private:
       this->IsOdd[shell] |= this->IsOddSlot[k];
       this->IsCrowded[shell] = 1;
     }
+  }
+
+  double CosineAtEdge(Id a, Id b, std::size_t one, std::size_t other) const
+  {
+    const Point3 axis = this->Mesh.Points[At(b)] - this->Mesh.Points[At(a)];
+    const Point3 p = Cross(axis, this->Mesh.At(one) - this->Mesh.Points[At(a)]);
+    const Point3 q = Cross(axis, this->Mesh.At(other) - this->Mesh.Points[At(a)]);
+    return Dot(p, q) / (Length(p) * Length(q));
   }
 
   /// By the angle around the edge from a to b, from the first slot on.
@@ -390,6 +405,7 @@ private:
   std::vector<Kind> Kinds;           ///< of parts
   std::vector<Id> Names;             ///< of parts: their values
   std::vector<std::uint8_t> IsFixed; ///< of parts: kind and value are known
+  double LargestCosine = -Infinity;  ///< between neighbors around edges of more than two triangles
   BodySides Result;
 };
 

@@ -6,6 +6,7 @@
 
 #include "../Features/SurfaceGround.h"
 
+#include <array>  // for pairs
 #include <vector> // for the arrays
 
 namespace biting
@@ -17,6 +18,7 @@ struct BodySides
   std::vector<TriangleSides> Sides; ///< of triangles
   std::vector<Id> Regions;          ///< the user's region value of each label, from label 1 on
   Id OpenTriangle = NoId;           ///< a triangle with one part on both sides: no bodies are known
+  std::array<Id, 2> Folded = { NoId, NoId }; ///< closed: nearest in angle at a crowded edge
 };
 
 /// A part is a connected component of space without the triangles: sides of triangles are joined

@@ -16,6 +16,7 @@
 #include "CertifiedSurface.h"
 
 #include <algorithm> // for any_of, max, min
+#include <array>     // for pairs
 #include <cmath>     // for sqrt
 #include <numeric>   // for iota
 #include <utility>   // for move
@@ -72,10 +73,24 @@ private:
     const Id open = this->Bodies.OpenTriangle;
     if (open != NoId && MayGoOn(this->Problems, pulse))
     {
-      this->Refuse(ProblemCode::OpenEdges, this->Surface.Mesh.Middle(At(open)),
-        "it has the same part of space on both sides");
+      this->RefuseSides();
     }
     return MayGoOn(this->Problems, pulse) && this->FitsLimit(pulse);
+  }
+
+  void RefuseSides()
+  {
+    const SurfaceMesh& mesh = this->Surface.Mesh;
+    const std::array<Id, 2> folded = this->Bodies.Folded;
+    if (folded[0] == NoId)
+    {
+      this->Refuse(ProblemCode::OpenEdges, mesh.Middle(At(this->Bodies.OpenTriangle)),
+        "it has the same part of space on both sides");
+      return;
+    }
+    this->Problems.Add(
+      { ProblemCode::Folds, { mesh.Cells[At(folded[0])], mesh.Cells[At(folded[1])] },
+        mesh.Middle(At(folded[0])), "at an edge of more than two triangles" });
   }
 
   /// Refuses what will surely have too many vertices: inside about the integral of sqrt(2) / f^3,

@@ -269,6 +269,35 @@ TEST(BodyMesher, RefusesWhatCannotBeWithAReason)
   EXPECT_TRUE(MakeBody({}, 0.1).Problems.Groups().empty());
 }
 
+/// Two tetrahedra on the two sides of a plane share an edge; their bases in the plane overlap.
+TEST(BodyMesher, CallsTrianglesThatLieOnEachOtherAtACrowdedEdgeFolds)
+{
+  const auto tetrahedron = [](double depth, double height)
+  {
+    const Point3 a = { 0.0, 0.0, 0.0 };
+    const Point3 b = { 1.0, 0.0, 0.0 };
+    const Point3 c = { 0.3, depth, 0.0 };
+    const Point3 d = { 0.3, 0.3, height };
+    Soup soup;
+    soup.Add(a, b, c);
+    soup.Add(a, d, b);
+    soup.Add(b, d, c);
+    soup.Add(c, d, a);
+    return soup;
+  };
+  bool isFolded = false;
+  for (const double up : { -1.0, 1.0 })
+  {
+    ValuedSoup pair;
+    pair.Add(tetrahedron(0.5, up), 1);
+    pair.Add(tetrahedron(1.0, -up), 2);
+    const MeshedBody meshed = MakeBody(pair, 0.2);
+    EXPECT_FALSE(meshed.Problems.Has(ProblemCode::OpenEdges));
+    isFolded = isFolded || meshed.Problems.Has(ProblemCode::Folds);
+  }
+  EXPECT_TRUE(isFolded);
+}
+
 TEST(BodyMesher, StopsAfterAsManyBitesAsWanted)
 {
   BodyMesherOptions options;
