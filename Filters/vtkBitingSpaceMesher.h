@@ -42,7 +42,7 @@ public:
   {
     TOO_THIN = 38,     ///< walls or feature lines too near to each other for f (cell)
     TOO_SHARP = 39,    ///< faces at too small an angle for f (cell)
-    LOST_FEATURES = 40 ///< a feature line that is not in the mesh (point)
+    LOST_FEATURES = 40 ///< a feature that the mesh cuts off or leaves out (point)
   };
 
   ///@{

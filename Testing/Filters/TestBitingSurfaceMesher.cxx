@@ -151,16 +151,7 @@ TEST(BitingSurfaceMesher, KeepsCornersAndEdgesOfACube)
 
 TEST(BitingSurfaceMesher, FollowsASourceOfSpace)
 {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(21, 3, 3);
-  image->SetOrigin(-0.5, -0.5, -0.5);
-  image->SetSpacing(0.05, 0.5, 0.5);
-  std::vector<double> values;
-  for (vtkIdType point = 0; point < image->GetNumberOfPoints(); ++point)
-  {
-    values.push_back(0.02 + 0.1 * (image->GetPoint(point)[0] + 0.5));
-  }
-  AddArray<vtkDoubleArray>(image->GetPointData(), "Size", values);
+  const auto image = GradedImage("Size", 0.02, 0.1);
   vtkNew<vtkBitingSurfaceMesher> filter;
   filter->SetInputData(Sphere());
   filter->SetSpacingSourceData(image);

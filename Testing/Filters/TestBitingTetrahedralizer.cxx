@@ -10,7 +10,6 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCellType.h"
 #include "vtkErrorCode.h"
-#include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -262,19 +261,9 @@ TEST(BitingTetrahedralizer, LeavesCavitiesEmptyAndFillsTwoMaterialsWithAWallBetw
 
 TEST(BitingTetrahedralizer, FollowsASourceOfSpace)
 {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(21, 3, 3);
-  image->SetOrigin(-0.5, -0.5, -0.5);
-  image->SetSpacing(0.05, 0.5, 0.5);
-  std::vector<double> values;
-  for (vtkIdType point = 0; point < image->GetNumberOfPoints(); ++point)
-  {
-    values.push_back(0.05 + 0.15 * (image->GetPoint(point)[0] + 0.5));
-  }
-  AddArray<vtkDoubleArray>(image->GetPointData(), "Spacing", values);
   vtkNew<vtkBitingTetrahedralizer> filter;
   filter->SetInputData(Sphere());
-  filter->SetSpacingSourceData(image);
+  filter->SetSpacingSourceData(GradedImage("Spacing", 0.05, 0.15));
   filter->Update();
   EXPECT_NEAR(Figure(filter->GetOutput(), "MeanRelativeLength"), 1.0, 0.1);
   EXPECT_GT(Figure(filter->GetOutput(), "MeanConformity"), 0.75);

@@ -113,7 +113,7 @@ constexpr std::array<Wording, NumberOfProblemKinds + 1> Wordings = { {
     "Choose a smaller spacing there." },
   { "TooSharp", "Faces at too small an angle for the spacing", "cell", "",
     "Choose a smaller spacing there, or a larger Feature Angle." },
-  { "LostFeatures", "Feature lines that are not in the mesh", "point", "",
+  { "LostFeatures", "Features that the mesh cuts off or leaves out", "point", "",
     "They are too fine for the spacing." },
   { "Aborted", "Aborted", "", "", "" },
 } };

@@ -78,7 +78,7 @@ enum class ProblemCode
   TooThin,  ///< walls or feature lines too near to each other for f (ids: cell)
   TooSharp, ///< faces at too small an angle for f (ids: cell)
   // Meshed, and told.
-  LostFeatures, ///< feature lines that are not in the mesh (ids: point)
+  LostFeatures, ///< lines or sharp edges that the mesh cuts off or leaves out (ids: point)
   Aborted       ///< the monitor asked to stop; not an error
 };
 

@@ -533,7 +533,7 @@ void CapByCurvature(SurfaceGround& ground, const SurfaceMesh& input, double tole
   }
   // A triangle of circumradius l / sqrt 3 is l^2 / (6 R) from a sphere of radius R, on which
   // normals l apart differ by l / R. Edges are up to 1.22 f, and 1.22^2 * 4 = 6. Facets turn in
-  // steps: the turn that is looked for is larger by 1 / Share, so steps of 25 degrees are none.
+  // steps: the turn that is looked for is larger by 1 / Share, 25 degrees at a tolerance of .1.
   constexpr double Share = 0.89;
   TurnSearch search(input, LinkSurface(input, pulse), ground.Normals, 4.0 / Share * tolerance);
   std::vector<double> sizes(input.NumberOfTriangles(), 0.0);

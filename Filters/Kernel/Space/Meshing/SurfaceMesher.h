@@ -89,7 +89,8 @@ struct BitingSurface
 /// - TooSharp: faces that meet at too small an angle for f;
 /// - TooManyVertices; BadSpacing: f is not positive somewhere; Aborted.
 /// Two corners joined by a feature line shorter than a tenth of f as given are merged.
-/// LostFeatures is a warning: feature lines that are not in the mesh.
+/// LostFeatures is a warning: feature lines that are not in the mesh, and edges too sharp for f
+/// that it cuts off (CertifySurface).
 /// Precondition: `surface` was checked and its errors are none but open and non-manifold edges.
 /// Deterministic; does not depend on the number of threads.
 BitingSurface MakeBitingSurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
