@@ -8,12 +8,15 @@
 // and by how much it is too small.
 //
 // The reference is min over y of given(y) + g |x - y|, over all nodes of the source, a lattice as
-// fine as these or 1/2080, and a finer one around x. It is above f where that misses a place.
+// fine as these or 1/2080, and a finer one around x; outside of triangles, where strips of low
+// values may be far thinner, also over lines that start all along the border, where they are
+// nearest to x. It is above f where that misses a place.
 
 #include "../Kernel/Spacing/SpacingSources.h"
 
 #include <cstdio> // for tables
 #include <ctime>  // for costs
+#include <map>    // for sides
 #include <string> // for names
 
 namespace
@@ -154,6 +157,111 @@ void AddLattice(const Point2& middle, double step, int count, const Spacing& giv
   }
 }
 
+/// Along sides far longer than the lattice is wide.
+void AddSides(const TriangulatedSource& source, double step, const Spacing& given,
+  std::vector<std::pair<Point2, double>>& places)
+{
+  for (std::size_t k = 0; k < source.Triangles.size(); ++k)
+  {
+    const Point2& a = source.Points[static_cast<std::size_t>(source.Triangles[k])];
+    const Point2& b =
+      source.Points[static_cast<std::size_t>(source.Triangles[k % 3 == 2 ? k - 2 : k + 1])];
+    const auto count = static_cast<int>(Distance(a, b) / step);
+    for (int part = 1; part < count && count > 4; ++part)
+    {
+      const Point2 y = a + (static_cast<double>(part) / count) * (b - a);
+      places.emplace_back(y, given(y));
+    }
+  }
+}
+
+/// A line from the border outward, and the value given where it starts.
+struct Line
+{
+  Point2 Start;
+  Point2 Direction;
+  double Value;
+};
+
+/// Along the edges that have a triangle on one side only, and around their ends. Where a line leads
+/// into triangles does not matter: what is given there counts.
+std::vector<Line> LinesFrom(const TriangulatedSource& source)
+{
+  constexpr int PerEdge = 16;
+  std::map<std::pair<Id, Id>, int> sides;
+  for (std::size_t k = 0; k < source.Triangles.size(); ++k)
+  {
+    const Id start = source.Triangles[k];
+    const Id end = source.Triangles[k % 3 == 2 ? k - 2 : k + 1];
+    sides[{ std::min(start, end), std::max(start, end) }] += start < end ? 1 : 2;
+  }
+  std::vector<Line> lines;
+  std::map<Id, std::vector<Point2>> normals; // of the edges at a point
+  for (const auto& [ends, count] : sides)
+  {
+    const Point2 a = source.Points[static_cast<std::size_t>(ends.first)];
+    const Point2 b = source.Points[static_cast<std::size_t>(ends.second)];
+    const double values[2] = { source.Values[static_cast<std::size_t>(ends.first)],
+      source.Values[static_cast<std::size_t>(ends.second)] };
+    if (count == 3)
+    {
+      continue;
+    }
+    // Orientations differ, so the lines go to both sides: one of them is inside.
+    const Point2 normal = (1.0 / Distance(a, b)) * Perpendicular(b - a);
+    for (int k = 0; k <= 2 * PerEdge + 1; ++k)
+    {
+      // More of them near the ends, where values may be lowest.
+      const double even = static_cast<double>(k / 2) / PerEdge;
+      const double share = std::min(std::max(1e-7, even * even * (3.0 - 2.0 * even)), 1.0 - 1e-7);
+      lines.push_back({ a + share * (b - a), (k % 2 == 0 ? 1.0 : -1.0) * normal,
+        (1.0 - share) * values[0] + share * values[1] });
+    }
+    for (const Id end : { ends.first, ends.second })
+    {
+      normals[end].push_back(normal);
+      normals[end].push_back(-1.0 * normal);
+    }
+  }
+  for (const auto& [point, around] : normals)
+  {
+    for (int k = 0; k < 16 * static_cast<int>(around.size()) * static_cast<int>(around.size()); ++k)
+    {
+      const auto pair = static_cast<std::size_t>(k / 16);
+      const double share = (k % 16 + 0.5) / 16.0;
+      const Point2 sum =
+        share * around[pair / around.size()] + (1.0 - share) * around[pair % around.size()];
+      const auto id = static_cast<std::size_t>(point);
+      if (Length(sum) > 0.1 && pair / around.size() < pair % around.size())
+      {
+        lines.push_back({ source.Points[id], (1.0 / Length(sum)) * sum, source.Values[id] });
+      }
+    }
+  }
+  return lines;
+}
+
+/// min over a line of given(y) + g |x - y|: where the line is nearest to x, or else near the last
+/// place that is given the line's value.
+double LeastOnLine(const Line& line, const Point2& x, const Spacing& given, double least)
+{
+  const double foot = std::max(Dot(x - line.Start, line.Direction), 0.0);
+  const auto at = [&line](double length) { return line.Start + length * line.Direction; };
+  if (line.Value + Gradation * Distance(at(foot), x) >= 0.999 * least)
+  {
+    return least;
+  }
+  double good = 0.0;
+  for (double length = foot, bad = foot; bad - good > 1e-4 * line.Value;
+       length = 0.5 * (good + bad))
+  {
+    const double value = given(at(length));
+    least = std::min(least, value + Gradation * Distance(at(length), x));
+    (value <= 1.0001 * line.Value ? good : bad) = length;
+  }
+  return least;
+}
+
 void Print(const Row& row, int nodes, int probes)
 {
   const Timed used(row.Options);
@@ -162,6 +270,7 @@ void Print(const Row& row, int nodes, int probes)
   const Timed given(asGiven);
   const int steps = (nodes - 1) * std::max(1, 2080 / nodes);
   std::vector<std::pair<Point2, double>> places;
+  std::vector<Line> lines;
   AddLattice({ 0.5, 0.5 }, 1.0 / steps, steps, given.F, places);
   for (const GivenSource& source : row.Options.Sources)
   {
@@ -171,6 +280,8 @@ void Print(const Row& row, int nodes, int probes)
       {
         places.emplace_back(point, given.F(point));
       }
+      AddSides(**triangles, 1.0 / steps, given.F, places);
+      lines = LinesFrom(**triangles);
     }
   }
   Sampler sampler(34);
@@ -188,6 +299,10 @@ void Print(const Row& row, int nodes, int probes)
       {
         least = value < least ? std::min(least, value + 0.3 * Distance(place, x)) : least;
       }
+    }
+    for (const Line& line : lines)
+    {
+      least = LeastOnLine(line, x, given.F, least);
     }
     above.push_back(100.0 * std::max(used.F(x) / least - 1.0, 0.0));
     below.push_back(100.0 * std::max(1.0 - used.F(x) / least, 0.0));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "SegmentCone.h"
 #include "TriangleInterpolator.h"
 
 #include "../Base/Tasks.h"
@@ -13,44 +14,46 @@ namespace biting
 namespace
 {
 
-/// How far apart rays are, as a share of the value: f is too large by slope times half of that.
-constexpr double WidthOfRay = 0.45;
+/// A part of a curve is replaced by its chord where its middle is no farther from that, and its
+/// rays are no farther apart, than these shares of the value.
+constexpr double LargestSag = 0.1;
+constexpr double WidthOfPart = 2.0;
 
-/// Of neighboring rays one of which is far shorter: where their values differ by no more than
-/// LargestRise, or they start no farther apart than LeastBase, as shares of the lower value, they
-/// stand for those between.
-constexpr double LargestRise = 0.2;
-constexpr double LeastBase = 0.06;
+/// Where rays start no farther apart than this share of the value they stand for those between.
+constexpr double LeastBase = 0.01;
 
 /// A ray that ends nearer than this share of the value is not looked at closer.
-constexpr double ShortRay = 0.2;
+constexpr double ShortRay = 0.1;
 
-/// By less, as a share of the lower one, values do not jump.
+/// By less, as a share of the lower one, values do not jump, and chords need not be exact.
 constexpr double Slight = 0.02;
 
-/// Rays are divided this often, whatever they meet.
-constexpr int LeastDivisions = 2;
+/// Curves are divided this often, whatever rays meet.
+constexpr int LeastDivisions = 1;
 constexpr int MostDivisions = 20;
 
-/// Edges are dealt to so many tasks. Each lists at most MostRays rays.
+/// Edges are dealt to so many tasks. Each lists at most MostParts rays and chords.
 constexpr std::size_t NumberOfTasks = 64;
-constexpr std::size_t MostRays = 1 << 14;
+constexpr std::size_t MostParts = 1 << 16;
 
-/// From the border outward, with the value there.
+/// From the border outward, up to where another place of the border is as near.
 struct Ray
 {
   Point2 Start;
   Point2 Direction;
-  double Value = 0.0;   ///< as given
-  double Most = 0.0;    ///< of the spacing where it starts
-  double Length = 0.0;  ///< as far as no other place of the border is nearer
-  double Least = 0.0;   ///< of the spacings on both sides of its end
-  bool HasJump = false; ///< at its end
+  double Value = 0.0;    ///< of the spacing where it starts
+  double Most = 0.0;     ///< what bounds f there
+  double Length = 0.0;   ///< an upper bound where it does not limit f
+  double Other = 0.0;    ///< the value at the other place; Value where there is none
+  bool IsUseful = false; ///< limits f somewhere
 
   Point2 At(double length) const { return this->Start + length * this->Direction; }
+  Point2 End() const { return this->At(this->Length); }
+  bool IsBelow() const { return (1.0 + Slight) * this->Value < this->Other; }
+  bool IsAbove() const { return (1.0 + Slight) * this->Other < this->Value; }
 };
 
-/// Lists rays from the border.
+/// Lists what limits f, for one edge of the border after the other.
 class BorderRays
 {
 public:
@@ -63,24 +66,39 @@ public:
   {
   }
 
-  /// From an edge, and around its end as far as the normal of the next one, if there is one.
-  void ListFrom(const BorderEdge& edge, const BorderEdge* next)
+  /// From an edge, and around its end as far as the normal of the next one. Null: there is none.
+  void ListFrom(const BorderEdge& edge, const BorderEdge* previous, const BorderEdge* next)
   {
     constexpr double Slightly = 1e-3;
     const double length = Distance(edge.Start, edge.End);
-    const Ray first{ edge.Start, OutwardOf(edge), edge.StartValue, this->MostAt(edge.StartId) };
-    const Ray last{ edge.End, first.Direction, edge.EndValue, this->MostAt(edge.EndId) };
-    if (this->Source.ValueInside(Midpoint(first.At(Slightly * length), last.At(Slightly * length))))
+    const Point2 outward = OutwardOf(edge);
+    if (this->Source.ValueInside(Midpoint(edge.Start, edge.End) + Slightly * length * outward))
     {
       return;
     }
-    const double rise = this->Rule.Range(last.Value) - this->Rule.Range(first.Value);
-    this->IsSteep = std::abs(rise) > this->Rule.Slope * length;
-    this->Divide(first, last, 0);
-    this->IsSteep = false;
-    if (next != nullptr && Cross(first.Direction, OutwardOf(*next)) > 0.0)
+    const double shares[4] = { 0.0, this->ShareAt(edge, this->Rule.Range.Least, 0.0),
+      this->ShareAt(edge, this->Rule.Range.Most, 1.0), 1.0 };
+    const auto [from, to] = std::minmax(shares[1], shares[2]);
+    const double sorted[4] = { 0.0, from, to, 1.0 };
+    Ray last = this->RayAt(edge, 0.0);
+    this->CastEnd(last, previous != nullptr ? previous->Start - edge.Start : outward);
+    for (std::size_t k = 1; k < 4; ++k)
     {
-      this->Divide(last, { edge.End, OutwardOf(*next), edge.EndValue, last.Most }, 0);
+      if (sorted[k] > sorted[k - 1])
+      {
+        const Ray first = last;
+        last = this->RayAt(edge, sorted[k]);
+        const bool isEnd = sorted[k] == 1.0;
+        this->CastEnd(last, isEnd && next != nullptr ? next->End - edge.End : -1.0 * outward);
+        this->ListBetween(first, last);
+      }
+    }
+    Ray turned = last;
+    turned.Direction = next != nullptr ? OutwardOf(*next) : outward;
+    if (Cross(outward, turned.Direction) > 0.0)
+    {
+      this->Cast(turned, last.Length);
+      this->Divide(last, turned, 0);
     }
   }
 
@@ -91,7 +109,22 @@ private:
     return (-1.0 / Length(along)) * Perpendicular(along);
   }
 
-  double MostAt(Id point) const { return this->Most[static_cast<std::size_t>(point)]; }
+  /// Where along an edge values reach a bound; `none` where they do not.
+  double ShareAt(const BorderEdge& edge, double bound, double none) const
+  {
+    const double low = this->Rule.Range.Scale * edge.StartValue;
+    const double high = this->Rule.Range.Scale * edge.EndValue;
+    return (low < bound) != (high < bound) ? std::min((bound - low) / (high - low), 1.0) : none;
+  }
+
+  Ray RayAt(const BorderEdge& edge, double share) const
+  {
+    const double rise = this->Rule.Slope * Distance(edge.Start, edge.End);
+    return { edge.Start + share * (edge.End - edge.Start), OutwardOf(edge),
+      this->Rule.Range((1.0 - share) * edge.StartValue + share * edge.EndValue),
+      std::min(this->Most[static_cast<std::size_t>(edge.StartId)] + share * rise,
+        this->Most[static_cast<std::size_t>(edge.EndId)] + (1.0 - share) * rise) };
+  }
 
   /// A share of a spacing, less where the slope is large.
   double ShareOf(double spacing, double share) const
@@ -99,91 +132,142 @@ private:
     return DistanceOfPoints(share, this->Rule.Slope) * spacing;
   }
 
-  /// Casts the ray between two others, and those on both sides of it where they are far apart, or
-  /// differ in value and in length.
-  void Divide(Ray first, Ray last, int divisions)
+  /// Into an edge that turns to its side a ray has no length.
+  void CastEnd(Ray& ray, const Point2& neighbor)
+  {
+    ray.Other = ray.Value;
+    ray.IsUseful = Dot(ray.Direction, neighbor) > 0.0;
+    if (!ray.IsUseful)
+    {
+      this->Cast(ray, 0.0);
+    }
+  }
+
+  /// Of a part of an edge.
+  void ListBetween(const Ray& first, const Ray& last)
+  {
+    const Ray& low = first.Value < last.Value ? first : last;
+    const double rise = std::abs(last.Value - first.Value);
+    this->IsSteep = rise > this->Rule.Slope * Distance(first.Start, last.Start);
+    if (this->IsSteep && low.IsUseful && low.Length > 0.0)
+    {
+      this->Add(low.Start, low.End(), low.Value, low.Value);
+    }
+    this->Divide(first, last, 0);
+    this->IsSteep = false;
+  }
+
+  /// Whether f is limited by the curve on which a ray ends.
+  bool IsNeeded(const Ray& ray) const
+  {
+    return ray.IsUseful && (ray.IsBelow() || (this->IsSteep && !ray.IsAbove()));
+  }
+
+  /// Lists the chords of the curve on which the rays between two others end.
+  void Divide(const Ray& first, const Ray& last, int divisions)
   {
     const double base = Distance(first.Start, last.Start);
-    const double least = this->Rule.Range(std::min(first.Value, last.Value));
-    if (divisions == 0)
-    {
-      this->Cast(first, this->IsSteep);
-      this->Cast(last, this->IsSteep);
-    }
     const Point2 sum = first.Direction + last.Direction;
     Ray middle{ Midpoint(first.Start, last.Start), (1.0 / Length(sum)) * sum,
       0.5 * (first.Value + last.Value),
       std::min(first.Most, last.Most) + 0.5 * this->Rule.Slope * base };
-    this->Cast(middle, this->IsSteep || first.HasJump || last.HasJump);
-    const double width = base +
-      Distance(first.Direction, last.Direction) *
-        std::max({ first.Length, middle.Length, last.Length });
-    const double rise = this->Rule.Range(std::max(first.Value, last.Value)) - least;
-    const bool isAlike = rise <= LargestRise * least || base <= this->ShareOf(least, LeastBase) ||
-      std::min(first.Length, last.Length) > 0.5 * middle.Length;
-    if ((isAlike && width <= this->ShareOf(std::min(least, middle.Least), WidthOfRay)) ||
-      divisions == MostDivisions || this->Count > MostRays)
+    this->Cast(middle, std::max(first.Length, last.Length));
+    const bool isNeeded = this->IsNeeded(first) || this->IsNeeded(middle) || this->IsNeeded(last);
+    if (!isNeeded && divisions >= LeastDivisions)
     {
       return;
     }
-    if (divisions < LeastDivisions || this->IsSteep || first.HasJump || middle.HasJump ||
-      last.HasJump)
+    const bool isLast = divisions == MostDivisions || this->Count > MostParts ||
+      (divisions > 0 && base > 0.0 && base <= this->ShareOf(middle.Value, LeastBase));
+    if (isLast || this->AreOnChord(first, middle, last))
     {
-      this->Divide(first, middle, divisions + 1);
-      this->Divide(middle, last, divisions + 1);
+      this->AddChord(first, middle);
+      this->AddChord(middle, last);
+      return;
     }
+    this->Divide(first, middle, divisions + 1);
+    this->Divide(middle, last, divisions + 1);
+  }
+
+  bool AreOnChord(const Ray& first, const Ray& middle, const Ray& last) const
+  {
+    const double least =
+      std::min({ first.Value, last.Value, first.Other, middle.Other, last.Other });
+    const double width = Distance(first.Start, last.Start) +
+      Distance(first.Direction, last.Direction) *
+        std::max({ first.Length, middle.Length, last.Length });
+    const SegmentCone chord(first.End(), last.End(), first.Value, last.Value, this->Rule.Slope);
+    const SegmentCone::View view = chord.From(middle.End());
+    const double bound = std::min(view.Value + this->Rule.Slope * Length(view.Away),
+      middle.Most + this->Rule.Slope * middle.Length);
+    if (!first.IsUseful && !last.IsUseful)
+    {
+      return !middle.IsUseful;
+    }
+    if (!first.IsUseful || !last.IsUseful)
+    {
+      const Ray& useful = first.IsUseful ? first : last;
+      return !middle.IsUseful ||
+        std::min(useful.Value + this->Rule.Slope * Distance(useful.End(), middle.End()),
+          middle.Most + this->Rule.Slope * middle.Length) <= (1.0 + Slight) * middle.Value;
+    }
+    return width <= this->ShareOf(least, WidthOfPart) &&
+      (!middle.IsUseful || bound <= (1.0 + Slight) * middle.Value) &&
+      (chord.Length == 0.0 || Length(view.Away) <= this->ShareOf(least, LargestSag));
+  }
+
+  void AddChord(const Ray& first, const Ray& last)
+  {
+    if (!this->IsNeeded(first) && !this->IsNeeded(last))
+    {
+      return;
+    }
+    const Ray& start = first.IsUseful ? first : last;
+    const Ray& end = last.IsUseful ? last : first;
+    this->Add(start.End(), end.End(), start.Value, end.Value);
+  }
+
+  void Add(const Point2& start, const Point2& end, double startValue, double endValue)
+  {
+    this->Count += 1;
+    this->Edges.Add(start, end, startValue, endValue);
   }
 
   /// Finds where a ray ends: the largest ball that touches the border where it starts, with its
   /// center on the ray, is made smaller until no other place of the border is in it, or it is far
-  /// smaller than both values. Lists the lower value up to there, and that of steep edges.
-  void Cast(Ray& ray, bool isNeeded)
+  /// smaller than both values.
+  void Cast(Ray& ray, double likely)
   {
-    const double own = this->Rule.Range(ray.Value);
+    const double own = ray.Value;
     const double most = this->LengthInBounds(ray);
-    const double below = (own - ray.Most) / this->Rule.Slope + this->ShareOf(own, ShortRay);
-    ray.Length = std::min(std::max(this->ShareOf(own, ShortRay), below), most);
-    ray.Least = own;
-    ray.HasJump = false;
+    const double least = this->ShareOf(own, ShortRay);
+    const double below = (own - ray.Most) / this->Rule.Slope + least;
+    ray.Length = std::min(std::max(least, below), most);
+    ray.Other = own;
+    ray.IsUseful = false;
     NearestValue found = this->NearerAt(ray);
     if (ray.Length <= below && (found.Edge != nullptr || ray.Length == most))
     {
       return;
     }
-    while (found.Edge == nullptr && ray.Length < most)
+    ray.IsUseful = true;
+    for (double next = likely; found.Edge == nullptr && ray.Length < most; next = 4.0 * ray.Length)
     {
-      ray.Length = std::min(4.0 * ray.Length, most);
+      ray.Length = std::min(std::max(ray.Length, next), most);
       found = this->NearerAt(ray);
     }
-    NearestValue other{ 0.0, own };
     for (bool isLast = false; found.Edge != nullptr && !isLast;)
     {
-      other = found;
+      ray.Other = found.Value;
       const Point2 toFoot = found.Foot - ray.Start;
-      const double length = 0.5 * Dot(toFoot, toFoot) / Dot(toFoot, ray.Direction);
+      const double length = std::max(0.5 * Dot(toFoot, toFoot) / Dot(toFoot, ray.Direction), 0.0);
+      const double lower = std::min(own, found.Value);
       // Where rounding leaves the ball as it was, it is the last one, too.
-      isLast =
-        !(length < ray.Length) || length < this->ShareOf(std::min(own, found.Value), ShortRay);
+      isLast = !(length < ray.Length - this->ShareOf(lower, Slight)) ||
+        length < this->ShareOf(lower, ShortRay);
       ray.Length = std::min(length, ray.Length);
       found = isLast ? found : this->NearerAt(ray);
     }
-    ray.Least = std::min(own, other.Value);
-    ray.HasJump = ray.Length > 0.0 && std::abs(own - other.Value) > Slight * ray.Least;
-    const bool isLow = ray.HasJump && own < other.Value;
-    if (ray.Length > 0.0 && (isNeeded || isLow))
-    {
-      this->Add(ray.Start, ray, own);
-    }
-    if (ray.HasJump && !isLow)
-    {
-      this->Add(other.Foot, ray, other.Value);
-    }
-  }
-
-  void Add(const Point2& place, const Ray& ray, double value)
-  {
-    this->Count += 1;
-    this->Edges.Add(place, ray.At(ray.Length), value, value);
   }
 
   /// What is nearer to the end of a ray than its start.
@@ -191,7 +275,7 @@ private:
   {
     constexpr double Nearer = 1.0 - 1e-6;
     NearestValue found =
-      Nearest(this->Source.BorderEdges(), ray.At(ray.Length), { Nearer * ray.Length, Infinity });
+      Nearest(this->Source.BorderEdges(), ray.End(), { Nearer * ray.Length, Infinity });
     found.Value = this->Rule.Range(found.Value);
     return found;
   }
@@ -213,7 +297,7 @@ private:
   const std::vector<double>& Most;
   const SteepRule& Rule;
   SegmentSource& Edges;
-  bool IsSteep = false; ///< the edge that rays come from
+  bool IsSteep = false; ///< the part of an edge that rays come from
   std::size_t Count = 0;
 };
 
@@ -223,16 +307,16 @@ void AddJumpsOutside(const TriangleInterpolator& source, const std::vector<doubl
   const SteepRule& rule, SegmentSource& edges, Pulse& pulse)
 {
   const std::vector<BorderEdge>& border = source.BorderEdges().Items();
-  std::vector<const BorderEdge*> edgeFrom; // of the source's points
+  std::vector<const BorderEdge*> edgeFrom(most.size()); // of the source's points
+  std::vector<const BorderEdge*> edgeTo(most.size());
   for (const BorderEdge& edge : border)
   {
-    edgeFrom.resize(
-      std::max(edgeFrom.size(), static_cast<std::size_t>(std::max(edge.StartId, edge.EndId)) + 1));
     edgeFrom[static_cast<std::size_t>(edge.StartId)] = &edge;
+    edgeTo[static_cast<std::size_t>(edge.EndId)] = &edge;
   }
   std::array<SegmentSource, NumberOfTasks> parts;
   DoTasks(pulse, parts.size(),
-    [&source, &most, &rule, &parts, &border, &edgeFrom](std::size_t k, Monitor& monitor)
+    [&source, &most, &rule, &parts, &border, &edgeFrom, &edgeTo](std::size_t k, Monitor& monitor)
     {
       Pulse own(monitor);
       BorderRays rays(source, most, rule, parts[k]);
@@ -240,7 +324,8 @@ void AddJumpsOutside(const TriangleInterpolator& source, const std::vector<doubl
       for (std::size_t edge = k * border.size() / NumberOfTasks; edge < last && own.Beat(64);
            ++edge)
       {
-        rays.ListFrom(border[edge], edgeFrom[static_cast<std::size_t>(border[edge].EndId)]);
+        rays.ListFrom(border[edge], edgeTo[static_cast<std::size_t>(border[edge].StartId)],
+          edgeFrom[static_cast<std::size_t>(border[edge].EndId)]);
       }
     });
   for (const SegmentSource& part : parts)
