@@ -152,6 +152,12 @@ void BoxTree<Item, D>::Build(std::vector<Entry>& entries, Pulse& pulse)
       parts[k].resize(1);
       BuildBelow({ 0, branches[k].First, branches[k].Last }, entries, parts[k], own);
     });
+  std::size_t nodes = this->Nodes.size();
+  for (const std::vector<Node>& part : parts)
+  {
+    nodes += part.size();
+  }
+  this->Nodes.reserve(nodes);
   for (std::size_t k = 0; k < branches.size(); ++k)
   {
     this->Graft(branches[k], parts[k]);
