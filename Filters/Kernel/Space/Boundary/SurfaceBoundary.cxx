@@ -73,7 +73,6 @@ public:
     , Ground(ground)
     , Bites(bites)
     , Tree(tree)
-    , Cells(bites.NumberOnLines > 0)
     , Beats(pulse)
   {
   }
@@ -81,11 +80,7 @@ public:
   SurfaceBoundary Run()
   {
     const bool isSolid = !this->Ground.Sides.empty();
-    if (!isSolid)
-    {
-      this->AddFrame();
-    }
-    this->Triangulate();
+    this->Triangulate(isSolid);
     if (isSolid)
     {
       this->LabelCells();
@@ -108,7 +103,7 @@ public:
 
 private:
   /// Corners of a cube around all: so flat surfaces have cells on both sides.
-  void AddFrame()
+  void AddFrame(RegularTriangulation& triangulation)
   {
     const Box3 box = this->Ground.Mesh.Bounds();
     const double reach = 3.0 * box.Diagonal();
@@ -116,14 +111,19 @@ private:
     {
       const Point3 way{ (corner & 1) != 0 ? reach : -reach, (corner & 2) != 0 ? reach : -reach,
         (corner & 4) != 0 ? reach : -reach };
-      this->Cells.Insert(box.Center() + way);
+      triangulation.Insert(box.Center() + way);
       this->BiteOf.push_back(NoId);
     }
   }
 
-  void Triangulate()
+  void Triangulate(bool isSolid)
   {
-    this->Cells.Reserve(this->Bites.Centers.size());
+    RegularTriangulation triangulation(this->Bites.NumberOnLines > 0);
+    triangulation.Reserve(this->Bites.Centers.size());
+    if (!isSolid)
+    {
+      this->AddFrame(triangulation);
+    }
     const std::vector<Id> order = SpatialOrder(this->Bites.Centers, this->Beats);
     this->BiteOf.reserve(order.size());
     for (const Id bite : order)
@@ -133,18 +133,19 @@ private:
         return;
       }
       const PointInsertion made =
-        this->Cells.Insert(this->Bites.Centers[At(bite)], this->Bites.WeightOf(bite));
+        triangulation.Insert(this->Bites.Centers[At(bite)], this->Bites.WeightOf(bite));
       if (made.What != PointOutcome::Duplicate)
       {
         this->BiteOf.push_back(bite);
       }
     }
+    this->Cells = triangulation.TakeMesh();
   }
 
   WeightedPoint CornerAt(Id cell, Id k) const
   {
-    const Id vertex = this->Cells.Mesh().Corners[At(4 * cell + k)];
-    return { this->Cells.Mesh().PointAt(vertex), this->Cells.Mesh().WeightAt(vertex) };
+    const Id vertex = this->Cells.Corners[At(4 * cell + k)];
+    return { this->Cells.PointAt(vertex), this->Cells.WeightAt(vertex) };
   }
 
   /// Does step(cell) for all tetrahedra, on all threads.
@@ -152,7 +153,7 @@ private:
   void ForCells(const Step& step)
   {
     constexpr std::size_t CheapSteps = 31;
-    const TetMesh& mesh = this->Cells.Mesh();
+    const TetMesh& mesh = this->Cells;
     ForRowsAtOnce(this->Beats, At(mesh.NumberOfSlots()), CheapSteps,
       [&mesh, &step](std::size_t begin, std::size_t end)
       {
@@ -177,7 +178,7 @@ private:
   void LabelCells()
   {
     const InsideTest test(this->Input, this->Ground.Sides, this->Tree);
-    this->Labels.assign(At(this->Cells.Mesh().NumberOfSlots()), 0);
+    this->Labels.assign(At(this->Cells.NumberOfSlots()), 0);
     this->ForCells(
       [this, &test](Id cell)
       {
@@ -192,7 +193,7 @@ private:
   bool LabelAnew()
   {
     const InsideTest test(this->Input, this->Ground.Sides, this->Tree);
-    const TetMesh& mesh = this->Cells.Mesh();
+    const TetMesh& mesh = this->Cells;
     std::vector<std::uint8_t> isAt(this->Bites.Centers.size(), 0);
     for (const BoundaryOffence& offence : this->Result.Offences)
     {
@@ -242,7 +243,7 @@ private:
     Id label = NoId;
     for (Id k = 0; k < 4; ++k)
     {
-      const Id bite = this->BiteOf[At(this->Cells.Mesh().Corners[At(4 * cell + k)])];
+      const Id bite = this->BiteOf[At(this->Cells.Corners[At(4 * cell + k)])];
       if (bite < this->Bites.NumberOnLines)
       {
         return NoId;
@@ -263,7 +264,7 @@ private:
 
   void TakeWalls()
   {
-    const TetMesh& mesh = this->Cells.Mesh();
+    const TetMesh& mesh = this->Cells;
     const auto labelOf = [this](Id facet) { return this->Labels[At(TetMesh::CellOf(facet))]; };
     this->TakeFacets(
       [&mesh, &labelOf](Id facet)
@@ -287,7 +288,7 @@ private:
 
   void TakeMeetings()
   {
-    const TetMesh& mesh = this->Cells.Mesh();
+    const TetMesh& mesh = this->Cells;
     this->TakeFacets(
       [this, &mesh](Id facet)
       {
@@ -313,7 +314,7 @@ private:
   void TakeFacets(const Question& isWall, const Put& put)
   {
     constexpr std::size_t CellsPerTask = 512;
-    const TetMesh& mesh = this->Cells.Mesh();
+    const TetMesh& mesh = this->Cells;
     const std::size_t cells = At(mesh.NumberOfSlots());
     std::vector<std::vector<Id>> parts((cells + CellsPerTask - 1) / CellsPerTask);
     DoTasks(this->Beats, parts.size(),
@@ -352,7 +353,7 @@ private:
   /// It begins at the centre of the cell of the facet.
   DualEdge DualOf(Id facet) const
   {
-    const TetMesh& mesh = this->Cells.Mesh();
+    const TetMesh& mesh = this->Cells;
     const Point3 normal = NormalOf(mesh, facet);
     const Point3 center = this->CenterOf(TetMesh::CellOf(facet));
     const Id first = mesh.FacetCorner(facet, 0);
@@ -400,7 +401,7 @@ private:
     Id bite = NoId;
     for (int k = 0; k < 3; ++k)
     {
-      bite = std::max(bite, this->BiteOf[At(this->Cells.Mesh().FacetCorner(facet, k))]);
+      bite = std::max(bite, this->BiteOf[At(this->Cells.FacetCorner(facet, k))]);
     }
     Id triangle = bite < this->Bites.NumberOnLines ? NoId : this->Bites.Triangles[At(bite)];
     for (int step = 0; step < MostSteps && triangle != NoId; ++step)
@@ -478,7 +479,7 @@ private:
     Id* const bites = &this->Result.Corners[3 * place];
     for (int k = 0; k < 3; ++k)
     {
-      bites[k] = this->BiteOf[At(this->Cells.Mesh().FacetCorner(facet, k))];
+      bites[k] = this->BiteOf[At(this->Cells.FacetCorner(facet, k))];
     }
     if (isTurned)
     {
@@ -496,8 +497,8 @@ private:
     {
       return met;
     }
-    const Point3 middle = MiddleOf(this->Cells.Mesh(), facet);
-    const Id bite = this->BiteOf[At(this->Cells.Mesh().FacetCorner(facet, 0))];
+    const Point3 middle = MiddleOf(this->Cells, facet);
+    const Id bite = this->BiteOf[At(this->Cells.FacetCorner(facet, 0))];
     const Id best = this->NearestTo(middle, Near * this->Bites.Sizes[At(bite)],
       [this, &normal](Id triangle) { return Agree(this->Ground, triangle, normal); });
     const Id other = met != NoId ? met : this->NearestTo(middle, Infinity, [](Id) { return true; });
@@ -529,7 +530,7 @@ private:
   const SurfaceGround& Ground;
   const SurfaceBites& Bites;
   const BoxTree<SurfaceItem, 3>& Tree; ///< of the input
-  RegularTriangulation Cells;
+  TetMesh Cells;                       ///< their regular triangulation
   Pulse& Beats;
   std::vector<Id> BiteOf;               ///< of vertices
   std::vector<Id> Labels;               ///< of cells: the side of the surface they are on
