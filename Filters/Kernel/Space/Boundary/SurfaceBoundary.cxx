@@ -270,7 +270,7 @@ private:
       [&mesh, &labelOf](Id facet)
       {
         const Id label = labelOf(facet);
-        const Id other = labelOf(mesh.Twins[At(facet)]);
+        const Id other = label == 0 ? 0 : labelOf(mesh.Twins[At(facet)]);
         return label != other && IsBehind(label, other);
       },
       [this, &mesh, &labelOf](Id facet, std::size_t place)
