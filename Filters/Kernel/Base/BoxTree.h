@@ -11,7 +11,7 @@
 #include "Tasks.h"
 
 #include <algorithm> // for nth_element, sort
-#include <utility>   // for swap
+#include <utility>   // for move, swap
 #include <vector>    // for the arrays
 
 namespace biting
@@ -29,7 +29,7 @@ public:
   BoxTree() = default;
 
   /// Empty if the pulse stops.
-  BoxTree(const std::vector<Item>& items, Pulse& pulse);
+  BoxTree(std::vector<Item> items, Pulse& pulse);
 
   /// In the order of the tree: items near each other are mostly near each other there. It depends
   /// on the items alone.
@@ -101,6 +101,7 @@ private:
   std::vector<Branch> SplitAll(
     const std::vector<Branch>& branches, std::vector<Entry>& entries, Pulse& pulse);
   void Graft(const Branch& branch, const std::vector<Node>& nodes);
+  void Order(std::vector<Entry>& entries);
   static Node Enclose(const Branch& branch, const std::vector<Entry>& entries);
   static void Halve(const Branch& branch, const biting::Box<D>& box, std::vector<Entry>& entries);
   static void BuildBelow(
@@ -111,7 +112,7 @@ private:
 };
 
 template <typename Item, std::size_t D>
-BoxTree<Item, D>::BoxTree(const std::vector<Item>& items, Pulse& pulse)
+BoxTree<Item, D>::BoxTree(std::vector<Item> items, Pulse& pulse)
 {
   if (items.empty())
   {
@@ -124,14 +125,30 @@ BoxTree<Item, D>::BoxTree(const std::vector<Item>& items, Pulse& pulse)
       entries[i] = { items[i].Box(), items[i].Least(), static_cast<Id>(i) };
     });
   this->Build(entries, pulse);
-  this->Ordered = items;
-  ForEachAtOnce(pulse, items.size(),
-    [this, &items, &entries](std::size_t i)
-    { this->Ordered[i] = items[static_cast<std::size_t>(entries[i].Number)]; });
+  this->Ordered = std::move(items);
+  this->Order(entries);
   if (pulse.HasStopped())
   {
     this->Nodes.clear();
     this->Ordered.clear();
+  }
+}
+
+/// Item i becomes item entries[i].Number: cycle by cycle, in place.
+template <typename Item, std::size_t D>
+void BoxTree<Item, D>::Order(std::vector<Entry>& entries)
+{
+  for (std::size_t first = 0; first < entries.size(); ++first)
+  {
+    std::size_t place = first;
+    for (auto from = static_cast<std::size_t>(entries[place].Number); from != first;
+         from = static_cast<std::size_t>(entries[place].Number))
+    {
+      std::swap(this->Ordered[place], this->Ordered[from]);
+      entries[place].Number = static_cast<Id>(place);
+      place = from;
+    }
+    entries[place].Number = static_cast<Id>(place);
   }
 }
 
@@ -152,9 +169,16 @@ void BoxTree<Item, D>::Build(std::vector<Entry>& entries, Pulse& pulse)
       parts[k].resize(1);
       BuildBelow({ 0, branches[k].First, branches[k].Last }, entries, parts[k], own);
     });
+  std::size_t nodes = this->Nodes.size();
+  for (const std::vector<Node>& part : parts)
+  {
+    nodes += part.size();
+  }
+  this->Nodes.reserve(nodes);
   for (std::size_t k = 0; k < branches.size(); ++k)
   {
     this->Graft(branches[k], parts[k]);
+    std::vector<Node>().swap(parts[k]);
   }
 }
 

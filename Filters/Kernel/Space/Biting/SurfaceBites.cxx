@@ -3,12 +3,14 @@
 
 #include "SurfaceBites.h"
 
+#include "../../Base/Numbers.h"
 #include "ChainDivision.h"
 
 #include <algorithm> // for find, max, min
 #include <array>     // for corners
 #include <cmath>     // for sqrt
 #include <cstddef>   // for ptrdiff_t
+#include <cstdint>   // for marks
 #include <utility>   // for move
 
 namespace biting
@@ -94,8 +96,10 @@ public:
 private:
   struct Entry
   {
-    Id Bite;
+    Id Bite; ///< ~Bite where its ball has all of the triangle: its sphere meets none there
     Id Next;
+
+    Id Number() const { return this->Bite < 0 ? ~this->Bite : this->Bite; }
   };
 
   struct Candidate
@@ -132,7 +136,7 @@ private:
   {
     for (Id entry = this->Heads[At(triangle)]; entry != NoId; entry = this->Entries[At(entry)].Next)
     {
-      const std::size_t bite = At(this->Entries[At(entry)].Bite);
+      const std::size_t bite = At(this->Entries[At(entry)].Number());
       const Point3 apart = place - this->Bites.Centers[bite];
       if (Dot(apart, apart) < this->Bites.Guards[bite] * this->Bites.Guards[bite])
       {
@@ -198,6 +202,13 @@ private:
     return Dot(apart, apart);
   }
 
+  /// Whether the edge of the slot is no farther from the place.
+  bool IsNear(std::size_t slot, const Point3& place, double distance2) const
+  {
+    const Point3 apart = this->Ground.Mesh.At(NextSlotOf(slot)) - place;
+    return Dot(apart, apart) <= distance2 || this->Distance2(slot, place) <= distance2;
+  }
+
   /// Walks from Front over what the bite takes; the candidates on its sphere go into the queue.
   void Take(Id bite)
   {
@@ -210,24 +221,34 @@ private:
     this->NumberOfMeetings = 0;
     // Candidates first: the new bite is in no list yet.
     std::size_t next = 0;
+    this->IsWithin.clear();
     while (next < this->Front.size()) // GoAcross adds some
     {
       const Id triangle = this->Front[next++];
-      this->Meet(bite, triangle);
+      this->IsWithin.push_back(this->HasAll(triangle, center, radius2) ? 1 : 0);
+      if (this->IsWithin.back() == 0)
+      {
+        this->Meet(bite, triangle);
+      }
       for (std::size_t slot = 3 * At(triangle); slot < 3 * At(triangle) + 3; ++slot)
       {
         const Id across = this->Ground.Across[slot];
         const bool isSeen = across != NoId && this->Seen[At(across / 3)] == bite;
-        if (!isSeen && this->Distance2(slot, center) <= radius2)
+        if (!isSeen && this->IsNear(slot, center, radius2))
         {
           this->GoAcross(bite, slot);
         }
       }
     }
-    for (const Id triangle : this->Front)
+    if (this->Entries.size() + this->Front.size() > this->Entries.capacity())
     {
-      this->Entries.push_back({ bite, this->Heads[At(triangle)] });
-      this->Heads[At(triangle)] = static_cast<Id>(this->Entries.size()) - 1;
+      this->Entries.reserve(5 * (this->Entries.size() + this->Front.size()) / 4); // most of memory
+    }
+    for (std::size_t k = 0; k < this->Front.size(); ++k)
+    {
+      Id& head = this->Heads[At(this->Front[k])];
+      this->Entries.push_back({ this->IsWithin[k] != 0 ? ~bite : bite, head });
+      head = static_cast<Id>(this->Entries.size()) - 1;
     }
     Candidate way{ {}, NoId };
     for (std::size_t k = 0; this->NumberOfMeetings == 0 && k < this->Front.size(); ++k)
@@ -238,6 +259,19 @@ private:
     {
       this->Queue.push_back(way);
     }
+  }
+
+  /// Whether the corners are in the ball, by more than candidates may be beside the triangle.
+  bool HasAll(Id triangle, const Point3& center, double radius2) const
+  {
+    constexpr double Most = 1.0 - 1e-6;
+    bool isWithin = true;
+    for (std::size_t slot = 3 * At(triangle); slot < 3 * At(triangle) + 3 && isWithin; ++slot)
+    {
+      const Point3 apart = this->Ground.Mesh.At(slot) - center;
+      isWithin = Dot(apart, apart) < Most * radius2;
+    }
+    return isWithin;
   }
 
   void GoAcross(Id bite, std::size_t slot)
@@ -280,7 +314,7 @@ private:
     for (Id entry = this->Heads[At(triangle)]; entry != NoId; entry = this->Entries[At(entry)].Next)
     {
       const Id other = this->Entries[At(entry)].Bite;
-      if (!this->AreApart(bite, other))
+      if (other >= 0 && !this->AreApart(bite, other))
       {
         this->Near.push_back(other);
       }
@@ -298,7 +332,7 @@ private:
     for (const Id near : this->Near)
     {
       PlaneDisk other{};
-      if (this->DiskOf(near, plane, other))
+      if (this->MayMeet(bite, near, plane) && this->DiskOf(near, plane, other))
       {
         this->MeetDisk(own, other, plane, triangle);
       }
@@ -311,6 +345,28 @@ private:
     const Point3 way = this->Bites.Centers[At(b)] - this->Bites.Centers[At(a)];
     const double reach = Beyond * (this->Bites.Radii[At(a)] + this->Bites.Radii[At(b)]);
     return Dot(way, way) > reach * reach;
+  }
+
+  /// False where all corners are on one side of the plane in which the spheres meet.
+  bool MayMeet(Id a, Id b, const GroundPlane& plane) const
+  {
+    constexpr double Beyond = 1e-6; // candidates may be beside the triangle
+    const double least = Beyond * this->Bites.Radii[At(a)] * this->Bites.Radii[At(b)];
+    double low = Infinity;
+    double high = -Infinity;
+    for (const Point3& corner : plane.Corners)
+    {
+      const double difference = this->PowerOf(a, corner) - this->PowerOf(b, corner);
+      low = std::min(low, difference);
+      high = std::max(high, difference);
+    }
+    return low <= least && high >= -least;
+  }
+
+  double PowerOf(Id bite, const Point3& place) const
+  {
+    const Point3 apart = place - this->Bites.Centers[At(bite)];
+    return Dot(apart, apart) - this->Bites.Radii[At(bite)] * this->Bites.Radii[At(bite)];
   }
 
   bool DiskOf(Id bite, const GroundPlane& plane, PlaneDisk& disk) const
@@ -381,8 +437,9 @@ private:
   SurfaceBites Bites;
   std::vector<Id> Heads; ///< of triangles: the first of the entries of bites that reach it
   std::vector<Entry> Entries;
-  std::vector<Id> Seen;  ///< of triangles: the last bite whose walk came there
-  std::vector<Id> Front; ///< of the walk
+  std::vector<Id> Seen;               ///< of triangles: the last bite whose walk came there
+  std::vector<Id> Front;              ///< of the walk
+  std::vector<std::uint8_t> IsWithin; ///< of its triangles: the ball has all of them
   std::vector<Candidate> Queue;
   std::size_t First = 0;
   std::size_t NumberOfMeetings = 0;

@@ -198,7 +198,7 @@ private:
         Cross(this->Bites.Centers[At(corners[1])] - a, this->Bites.Centers[At(corners[2])] - a);
       const Id triangle = this->Boundary.Triangles[facet];
       if (triangle == NoId ||
-        Dot(normal, this->Ground.NormalOf(At(triangle))) < LeastCosine * Length(normal))
+        Dot(normal, this->Ground.Normals[At(triangle)]) < LeastCosine * Length(normal))
       {
         const Id worst = std::max(corners[0], std::max(corners[1], corners[2]));
         this->Tell(BoundaryFault::Turned, worst, NoId);

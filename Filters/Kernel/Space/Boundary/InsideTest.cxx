@@ -64,7 +64,7 @@ Id InsideTest::LabelAt(const Point3& place) const
   this->Tree.AllOf(ray,
     [this, &place, &label](const SurfaceItem& item)
     {
-      const TriangleSides& sides = this->Ground.Sides[At(this->Mesh.Cells[At(item.Triangle)])];
+      const TriangleSides& sides = this->Sides[At(item.Triangle)];
       const bool isMet = MeetsRay(this->Mesh.Triangle(At(item.Triangle)), place);
       label ^= isMet ? sides[0] ^ sides[1] : 0;
       return true;

@@ -21,11 +21,13 @@ bool MeetsRay(const std::array<Point3, 3>& triangle, const Point3& place);
 class InsideTest
 {
 public:
-  InsideTest(const SurfaceGround& ground, const BoxTree<SurfaceItem, 3>& tree)
-    : Ground(ground)
-    , Mesh(ground.Mesh)
+  /// `sides`, `tree`: of the triangles of the mesh.
+  InsideTest(const SurfaceMesh& mesh, const std::vector<TriangleSides>& sides,
+    const BoxTree<SurfaceItem, 3>& tree)
+    : Mesh(mesh)
+    , Sides(sides)
     , Tree(tree)
-    , Bounds(ground.Mesh.Bounds())
+    , Bounds(mesh.Bounds())
   {
   }
 
@@ -33,8 +35,8 @@ public:
   Id LabelAt(const Point3& place) const;
 
 private:
-  const SurfaceGround& Ground;
   const SurfaceMesh& Mesh;
+  const std::vector<TriangleSides>& Sides;
   const BoxTree<SurfaceItem, 3>& Tree;
   Box3 Bounds;
 };

@@ -25,7 +25,7 @@ namespace
 /// Where the dual edge of a facet meets the surface.
 struct DualMeeting
 {
-  Id Triangle = NoId; ///< of the ground, nearest to the facet; NoId: nowhere
+  Id Triangle = NoId; ///< of the input, nearest to the facet; NoId: nowhere
   Id Count = 0;
 };
 
@@ -36,18 +36,6 @@ struct DualEdge
   Point3 Foot;   ///< in its plane
   double Begin;
   double End;
-};
-
-/// A facet of the boundary.
-struct WallFacet
-{
-  Id Facet;
-  Id Triangle; ///< of the ground, below
-  bool IsTurned;
-
-  // Of solids.
-  Point3 BallCenter;
-  TriangleSides Sides;
 };
 
 /// The unit normal of the facet, away from its cell.
@@ -69,21 +57,22 @@ Point3 MiddleOf(const TetMesh& mesh, Id facet)
   return middle;
 }
 
+/// Of a triangle of the input.
 bool Agree(const SurfaceGround& ground, Id triangle, const Point3& normal)
 {
   constexpr double LeastCosine = 0.5;
-  return Dot(normal, ground.NormalOf(At(triangle))) >= LeastCosine;
+  return Dot(normal, ground.Normals[At(triangle)]) >= LeastCosine;
 }
 
 class BoundaryFinder
 {
 public:
-  BoundaryFinder(const SurfaceGround& ground, const SurfaceBites& bites,
+  BoundaryFinder(const SurfaceMesh& input, const SurfaceGround& ground, const SurfaceBites& bites,
     const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse)
-    : Ground(ground)
+    : Input(input)
+    , Ground(ground)
     , Bites(bites)
     , Tree(tree)
-    , Cells(bites.NumberOnLines > 0)
     , Beats(pulse)
   {
   }
@@ -91,11 +80,7 @@ public:
   SurfaceBoundary Run()
   {
     const bool isSolid = !this->Ground.Sides.empty();
-    if (!isSolid)
-    {
-      this->AddFrame();
-    }
-    this->Triangulate();
+    this->Triangulate(isSolid);
     if (isSolid)
     {
       this->LabelCells();
@@ -118,7 +103,7 @@ public:
 
 private:
   /// Corners of a cube around all: so flat surfaces have cells on both sides.
-  void AddFrame()
+  void AddFrame(RegularTriangulation& triangulation)
   {
     const Box3 box = this->Ground.Mesh.Bounds();
     const double reach = 3.0 * box.Diagonal();
@@ -126,14 +111,19 @@ private:
     {
       const Point3 way{ (corner & 1) != 0 ? reach : -reach, (corner & 2) != 0 ? reach : -reach,
         (corner & 4) != 0 ? reach : -reach };
-      this->Cells.Insert(box.Center() + way);
+      triangulation.Insert(box.Center() + way);
       this->BiteOf.push_back(NoId);
     }
   }
 
-  void Triangulate()
+  void Triangulate(bool isSolid)
   {
-    this->Cells.Reserve(this->Bites.Centers.size());
+    RegularTriangulation triangulation(this->Bites.NumberOnLines > 0);
+    triangulation.Reserve(this->Bites.Centers.size());
+    if (!isSolid)
+    {
+      this->AddFrame(triangulation);
+    }
     const std::vector<Id> order = SpatialOrder(this->Bites.Centers, this->Beats);
     this->BiteOf.reserve(order.size());
     for (const Id bite : order)
@@ -143,18 +133,19 @@ private:
         return;
       }
       const PointInsertion made =
-        this->Cells.Insert(this->Bites.Centers[At(bite)], this->Bites.WeightOf(bite));
+        triangulation.Insert(this->Bites.Centers[At(bite)], this->Bites.WeightOf(bite));
       if (made.What != PointOutcome::Duplicate)
       {
         this->BiteOf.push_back(bite);
       }
     }
+    this->Cells = triangulation.TakeMesh();
   }
 
   WeightedPoint CornerAt(Id cell, Id k) const
   {
-    const Id vertex = this->Cells.Mesh().Corners[At(4 * cell + k)];
-    return { this->Cells.Mesh().PointAt(vertex), this->Cells.Mesh().WeightAt(vertex) };
+    const Id vertex = this->Cells.Corners[At(4 * cell + k)];
+    return { this->Cells.PointAt(vertex), this->Cells.WeightAt(vertex) };
   }
 
   /// Does step(cell) for all tetrahedra, on all threads.
@@ -162,7 +153,7 @@ private:
   void ForCells(const Step& step)
   {
     constexpr std::size_t CheapSteps = 31;
-    const TetMesh& mesh = this->Cells.Mesh();
+    const TetMesh& mesh = this->Cells;
     ForRowsAtOnce(this->Beats, At(mesh.NumberOfSlots()), CheapSteps,
       [&mesh, &step](std::size_t begin, std::size_t end)
       {
@@ -186,8 +177,8 @@ private:
 
   void LabelCells()
   {
-    const InsideTest test(this->Ground, this->Tree);
-    this->Labels.assign(At(this->Cells.Mesh().NumberOfSlots()), 0);
+    const InsideTest test(this->Input, this->Ground.Sides, this->Tree);
+    this->Labels.assign(At(this->Cells.NumberOfSlots()), 0);
     this->ForCells(
       [this, &test](Id cell)
       {
@@ -201,8 +192,8 @@ private:
   /// centres are beyond the other side, but middles are not. Whether a label changes.
   bool LabelAnew()
   {
-    const InsideTest test(this->Ground, this->Tree);
-    const TetMesh& mesh = this->Cells.Mesh();
+    const InsideTest test(this->Input, this->Ground.Sides, this->Tree);
+    const TetMesh& mesh = this->Cells;
     std::vector<std::uint8_t> isAt(this->Bites.Centers.size(), 0);
     for (const BoundaryOffence& offence : this->Result.Offences)
     {
@@ -252,7 +243,7 @@ private:
     Id label = NoId;
     for (Id k = 0; k < 4; ++k)
     {
-      const Id bite = this->BiteOf[At(this->Cells.Mesh().Corners[At(4 * cell + k)])];
+      const Id bite = this->BiteOf[At(this->Cells.Corners[At(4 * cell + k)])];
       if (bite < this->Bites.NumberOnLines)
       {
         return NoId;
@@ -273,61 +264,59 @@ private:
 
   void TakeWalls()
   {
-    const TetMesh& mesh = this->Cells.Mesh();
+    const TetMesh& mesh = this->Cells;
+    const auto labelOf = [this](Id facet) { return this->Labels[At(TetMesh::CellOf(facet))]; };
     this->TakeFacets(
-      [this, &mesh](Id facet, WallFacet& wall)
+      [&mesh, &labelOf](Id facet)
       {
-        const Id label = this->Labels[At(TetMesh::CellOf(facet))];
-        const Id other = this->Labels[At(TetMesh::CellOf(mesh.Twins[At(facet)]))];
-        const bool isWall = label != other && IsBehind(label, other);
-        if (isWall)
-        {
-          const DualEdge dual = this->DualOf(facet);
-          const Id near = this->WalkTo(facet, dual);
-          const bool isFound = near != NoId && Agree(this->Ground, near, dual.Normal);
-          const Id met = isFound ? near : this->Meet(dual).Triangle;
-          wall = { facet, isFound ? near : this->TriangleBelow(facet, met, dual.Normal), false,
-            this->BallCenter(dual, met), { label, other } };
-        }
-        return isWall;
+        const Id label = labelOf(facet);
+        const Id other = label == 0 ? 0 : labelOf(mesh.Twins[At(facet)]);
+        return label != other && IsBehind(label, other);
+      },
+      [this, &mesh, &labelOf](Id facet, std::size_t place)
+      {
+        const DualEdge dual = this->DualOf(facet);
+        const Id near = this->WalkTo(facet, dual);
+        const bool isFound = near != NoId && Agree(this->Ground, near, dual.Normal);
+        const Id met = isFound ? near : this->Meet(dual).Triangle;
+        this->Put(
+          facet, isFound ? near : this->TriangleBelow(facet, met, dual.Normal), false, place);
+        this->Result.Sides[place] = { labelOf(facet), labelOf(mesh.Twins[At(facet)]) };
+        this->Result.BallCenters[place] = this->BallCenter(dual, met);
       });
   }
 
   void TakeMeetings()
   {
-    const TetMesh& mesh = this->Cells.Mesh();
+    const TetMesh& mesh = this->Cells;
     this->TakeFacets(
-      [this, &mesh](Id facet, WallFacet& wall)
+      [this, &mesh](Id facet)
       {
         const Id twin = mesh.Twins[At(facet)];
         const auto isOfFrame = [this, &mesh, facet](int k)
         { return this->BiteOf[At(mesh.FacetCorner(facet, k))] == NoId; };
-        if (isOfFrame(0) || isOfFrame(1) || isOfFrame(2) ||
-          (facet > twin && !mesh.IsGhost(TetMesh::CellOf(twin))))
-        {
-          return false;
-        }
+        return !isOfFrame(0) && !isOfFrame(1) && !isOfFrame(2) &&
+          (facet < twin || mesh.IsGhost(TetMesh::CellOf(twin))) &&
+          this->Meet(this->DualOf(facet)).Count % 2 == 1;
+      },
+      [this](Id facet, std::size_t place)
+      {
         const DualEdge dual = this->DualOf(facet);
-        const DualMeeting meeting = this->Meet(dual);
-        if (meeting.Count % 2 == 1)
-        {
-          const bool isTurned = Dot(dual.Normal, this->Ground.NormalOf(At(meeting.Triangle))) < 0.0;
-          wall = { facet,
-            this->TriangleBelow(facet, meeting.Triangle, (isTurned ? -1.0 : 1.0) * dual.Normal),
-            isTurned, {}, {} };
-        }
-        return meeting.Count % 2 == 1;
+        const Id met = this->Meet(dual).Triangle;
+        const bool isTurned = Dot(dual.Normal, this->Ground.Normals[At(met)]) < 0.0;
+        const Id below = this->TriangleBelow(facet, met, (isTurned ? -1.0 : 1.0) * dual.Normal);
+        this->Put(facet, below, isTurned, place);
       });
   }
 
-  /// Takes the facets of tetrahedra for which isWall(facet, wall), in their order.
-  template <typename Question>
-  void TakeFacets(const Question& isWall)
+  /// Takes the facets of tetrahedra for which isWall(facet), in their order: put(facet, place).
+  template <typename Question, typename Put>
+  void TakeFacets(const Question& isWall, const Put& put)
   {
     constexpr std::size_t CellsPerTask = 512;
-    const TetMesh& mesh = this->Cells.Mesh();
+    const TetMesh& mesh = this->Cells;
     const std::size_t cells = At(mesh.NumberOfSlots());
-    std::vector<std::vector<WallFacet>> parts((cells + CellsPerTask - 1) / CellsPerTask);
+    std::vector<std::vector<Id>> parts((cells + CellsPerTask - 1) / CellsPerTask);
     DoTasks(this->Beats, parts.size(),
       [&mesh, &isWall, &parts, cells](std::size_t k, Monitor&)
       {
@@ -335,36 +324,36 @@ private:
         for (Id facet = static_cast<Id>(4 * k * CellsPerTask); facet < static_cast<Id>(4 * end);
              ++facet)
         {
-          WallFacet wall{};
-          if (mesh.IsTetrahedron(TetMesh::CellOf(facet)) && isWall(facet, wall))
+          if (mesh.IsTetrahedron(TetMesh::CellOf(facet)) && isWall(facet))
           {
-            parts[k].push_back(wall);
+            parts[k].push_back(facet);
           }
         }
       });
-    std::size_t facets = 0;
-    for (const std::vector<WallFacet>& part : parts)
+    std::vector<std::size_t> begins(1, 0); // of parts
+    for (const std::vector<Id>& part : parts)
     {
-      facets += part.size();
+      begins.push_back(begins.back() + part.size());
     }
-    this->Result.Corners.reserve(3 * facets);
-    this->Result.Triangles.reserve(facets);
-    this->Result.Sides.reserve(facets);
-    this->Result.BallCenters.reserve(facets);
-    for (std::vector<WallFacet>& part : parts)
-    {
-      for (const WallFacet& wall : part)
+    const std::size_t facets = begins.back();
+    this->Result.Corners.resize(3 * facets);
+    this->Result.Triangles.resize(facets);
+    this->Result.Sides.resize(facets);
+    this->Result.BallCenters.resize(facets);
+    DoTasks(this->Beats, parts.size(),
+      [&put, &parts, &begins](std::size_t k, Monitor&)
       {
-        this->Add(wall);
-      }
-      std::vector<WallFacet>().swap(part);
-    }
+        for (std::size_t i = 0; i < parts[k].size(); ++i)
+        {
+          put(parts[k][i], begins[k] + i);
+        }
+      });
   }
 
   /// It begins at the centre of the cell of the facet.
   DualEdge DualOf(Id facet) const
   {
-    const TetMesh& mesh = this->Cells.Mesh();
+    const TetMesh& mesh = this->Cells;
     const Point3 normal = NormalOf(mesh, facet);
     const Point3 center = this->CenterOf(TetMesh::CellOf(facet));
     const Id first = mesh.FacetCorner(facet, 0);
@@ -412,7 +401,7 @@ private:
     Id bite = NoId;
     for (int k = 0; k < 3; ++k)
     {
-      bite = std::max(bite, this->BiteOf[At(this->Cells.Mesh().FacetCorner(facet, k))]);
+      bite = std::max(bite, this->BiteOf[At(this->Cells.FacetCorner(facet, k))]);
     }
     Id triangle = bite < this->Bites.NumberOnLines ? NoId : this->Bites.Triangles[At(bite)];
     for (int step = 0; step < MostSteps && triangle != NoId; ++step)
@@ -426,7 +415,8 @@ private:
       const double height = line.Rise / line.Sum;
       if (line.Parts[worst] * line.Sum >= 0.0)
       {
-        return height >= dual.Begin && height <= dual.End ? triangle : NoId;
+        return height >= dual.Begin && height <= dual.End ? this->Ground.Mesh.Cells[At(triangle)]
+                                                          : NoId;
       }
       const Id across = this->Ground.Across[3 * At(triangle) + worst];
       triangle = across == NoId ? NoId : across / 3;
@@ -447,10 +437,10 @@ private:
     this->Tree.AllOf(box,
       [this, &dual, &meeting, &least](const SurfaceItem& item)
       {
-        const LineMeeting line(this->Ground.Mesh.Triangle(At(item.Triangle)), dual);
+        const LineMeeting line(this->Input.Triangle(At(item.Triangle)), dual);
         // What passes an edge passes one of its two triangles: their rounded products only differ
         // in sign, and 0 has that of the order of the ends.
-        const Id* ends = &this->Ground.Mesh.Corners[3 * At(item.Triangle)];
+        const Id* ends = &this->Input.Corners[3 * At(item.Triangle)];
         const auto isLeft = [&line, ends](std::size_t k) {
           return line.Parts[k] > 0.0 ||
             (line.Parts[k] == 0.0 && ends[(k + 1) % 3] < ends[(k + 2) % 3]);
@@ -477,28 +467,25 @@ private:
     double height = dual.Begin > 0.0 ? dual.Begin : std::min(dual.End, 0.0);
     if (triangle != NoId)
     {
-      const LineMeeting line(this->Ground.Mesh.Triangle(At(triangle)), dual);
+      const LineMeeting line(this->Input.Triangle(At(triangle)), dual);
       height = std::min(std::max(line.Rise / line.Sum, dual.Begin), dual.End);
     }
     return dual.Foot + height * dual.Normal;
   }
 
-  void Add(const WallFacet& wall)
+  /// `below`: the triangle of the input.
+  void Put(Id facet, Id below, bool isTurned, std::size_t place)
   {
-    const TetMesh& mesh = this->Cells.Mesh();
-    std::array<Id, 3> bites{};
+    Id* const bites = &this->Result.Corners[3 * place];
     for (int k = 0; k < 3; ++k)
     {
-      bites[At(k)] = this->BiteOf[At(mesh.FacetCorner(wall.Facet, k))];
+      bites[k] = this->BiteOf[At(this->Cells.FacetCorner(facet, k))];
     }
-    if (wall.IsTurned)
+    if (isTurned)
     {
       std::swap(bites[1], bites[2]);
     }
-    this->Result.Corners.insert(this->Result.Corners.end(), bites.begin(), bites.end());
-    this->Result.Triangles.push_back(wall.Triangle);
-    this->Result.Sides.push_back(wall.Sides);
-    this->Result.BallCenters.push_back(wall.BallCenter);
+    this->Result.Triangles[place] = below;
   }
 
   /// Where the dual edge meets no triangle that agrees with the facet's normal, as near features,
@@ -510,15 +497,15 @@ private:
     {
       return met;
     }
-    const Point3 middle = MiddleOf(this->Cells.Mesh(), facet);
-    const Id bite = this->BiteOf[At(this->Cells.Mesh().FacetCorner(facet, 0))];
+    const Point3 middle = MiddleOf(this->Cells, facet);
+    const Id bite = this->BiteOf[At(this->Cells.FacetCorner(facet, 0))];
     const Id best = this->NearestTo(middle, Near * this->Bites.Sizes[At(bite)],
       [this, &normal](Id triangle) { return Agree(this->Ground, triangle, normal); });
     const Id other = met != NoId ? met : this->NearestTo(middle, Infinity, [](Id) { return true; });
     return best != NoId ? best : other;
   }
 
-  /// The triangle of the ground that is nearest to the place, and nearer than `most`, of those that
+  /// The triangle of the input that is nearest to the place, and nearer than `most`, of those that
   /// are wanted; or NoId.
   template <typename Question>
   Id NearestTo(const Point3& place, double most, const Question& isWanted) const
@@ -531,7 +518,7 @@ private:
         {
           return limit;
         }
-        const std::array<Point3, 3> triangle = this->Ground.Mesh.Triangle(At(item.Triangle));
+        const std::array<Point3, 3> triangle = this->Input.Triangle(At(item.Triangle));
         const double distance = Distance(NearestPoint(triangle, place), place);
         nearest = distance < limit ? item.Triangle : nearest;
         return std::min(limit, distance);
@@ -539,10 +526,11 @@ private:
     return nearest;
   }
 
+  const SurfaceMesh& Input;
   const SurfaceGround& Ground;
   const SurfaceBites& Bites;
-  const BoxTree<SurfaceItem, 3>& Tree;
-  RegularTriangulation Cells;
+  const BoxTree<SurfaceItem, 3>& Tree; ///< of the input
+  TetMesh Cells;                       ///< their regular triangulation
   Pulse& Beats;
   std::vector<Id> BiteOf;               ///< of vertices
   std::vector<Id> Labels;               ///< of cells: the side of the surface they are on
@@ -552,10 +540,10 @@ private:
 
 } // namespace
 
-SurfaceBoundary FindBoundary(const SurfaceGround& ground, const SurfaceBites& bites,
-  const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse)
+SurfaceBoundary FindBoundary(const SurfaceMesh& input, const SurfaceGround& ground,
+  const SurfaceBites& bites, const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse)
 {
-  return BoundaryFinder(ground, bites, tree, pulse).Run();
+  return BoundaryFinder(input, ground, bites, tree, pulse).Run();
 }
 
 } // namespace biting

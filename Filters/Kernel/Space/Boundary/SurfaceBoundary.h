@@ -33,7 +33,7 @@ struct BoundaryOffence
 struct SurfaceBoundary
 {
   std::vector<Id> Corners;          ///< three bites a facet, oriented as the surface
-  std::vector<Id> Triangles;        ///< of the ground, where the dual edge of the facet meets it
+  std::vector<Id> Triangles;        ///< of the input, where the dual edge of the facet meets it
   std::vector<TriangleSides> Sides; ///< of facets of solids: labels behind and in front
 
   /// Of facets: the meeting of dual edge and surface nearest to the facet. The triangulation keeps
@@ -47,8 +47,9 @@ struct SurfaceBoundary
 /// have different labels, closed by construction, and without self-crossings, as facets of one
 /// triangulation. For other surfaces: those whose dual edges meet the surface. Then checks all
 /// certificates (CheckBoundary) but those of the whole (CheckWhole): faults are not repaired.
-SurfaceBoundary FindBoundary(const SurfaceGround& ground, const SurfaceBites& bites,
-  const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse);
+/// `input`: the surface that the ground divides, of which `tree` is.
+SurfaceBoundary FindBoundary(const SurfaceMesh& input, const SurfaceGround& ground,
+  const SurfaceBites& bites, const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse);
 
 } // namespace biting
 

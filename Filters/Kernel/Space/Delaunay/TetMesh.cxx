@@ -143,6 +143,12 @@ Id TetMesh::NewCell()
   else
   {
     cell = this->NumberOfSlots();
+    if (this->Corners.size() == this->Corners.capacity())
+    {
+      const std::size_t room = this->Corners.size() + this->Corners.size() / 8 + 64; // cells: most
+      this->Corners.reserve(room);                                                   // of memory
+      this->Twins.reserve(room);
+    }
     this->Corners.resize(this->Corners.size() + 4);
     this->Twins.resize(this->Twins.size() + 4);
     if (!this->Labels.empty())

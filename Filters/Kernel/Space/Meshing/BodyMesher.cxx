@@ -18,7 +18,6 @@
 #include <algorithm> // for any_of, max, min
 #include <array>     // for pairs
 #include <cmath>     // for sqrt
-#include <numeric>   // for iota
 #include <utility>   // for move
 
 namespace biting
@@ -99,12 +98,8 @@ private:
   {
     constexpr std::size_t Samples = 24; // along each side of the box
     const Box3 box = this->Surface.Mesh.Bounds();
-    SurfaceGround ground;
-    ground.Mesh = this->Surface.Mesh;
-    std::iota(ground.Mesh.Cells.begin(), ground.Mesh.Cells.end(), 0);
-    ground.Sides = this->Bodies.Sides;
-    const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(ground.Mesh, pulse);
-    const InsideTest test(ground, tree);
+    const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(this->Surface.Mesh, pulse);
+    const InsideTest test(this->Surface.Mesh, this->Bodies.Sides, tree);
     const auto placeOf = [&box](std::size_t k)
     {
       Point3 place;
@@ -152,7 +147,7 @@ private:
     this->Listener.BeginStage("Biting inside");
     Pulse pulse(this->Listener);
     const SurfaceBites& bites = this->Certified.Bites;
-    const InsideTest test(this->Certified.Ground, this->Certified.Tree);
+    const InsideTest test(this->Surface.Mesh, this->Certified.Ground.Sides, this->Certified.Tree);
     BodyBoundary boundary;
     boundary.Centers = bites.Centers;
     boundary.Sizes = bites.Sizes;
@@ -352,7 +347,7 @@ private:
     boundary.Spacing.assign(
       this->Body.Sizes.begin(), this->Body.Sizes.begin() + static_cast<std::ptrdiff_t>(onBoundary));
     boundary.Corners = std::move(this->Body.Facets);
-    DescribeMesh(this->Certified, this->Options.Surface, boundary, pulse);
+    DescribeMesh(this->Surface, this->Certified, this->Options.Surface, boundary, pulse);
     mesh.BoundaryCells = std::move(verdict.CellsBehind);
     mesh.OriginalPoints = boundary.OriginalPoints;
     mesh.OriginalPoints.resize(this->Body.Points.size(), NoId);

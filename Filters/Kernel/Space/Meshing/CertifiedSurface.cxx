@@ -34,7 +34,6 @@ public:
     , Bites(result.Bites)
     , Tree(result.Tree)
     , Boundary(result.Boundary)
-    , Whole(result)
     , Problems(problems)
     , Beats(monitor)
   {
@@ -93,8 +92,8 @@ private:
       this->RefuseSize();
       return;
     }
-    this->Tree = MakeSurfaceTree(this->Ground.Mesh, this->Beats);
-    this->Boundary = FindBoundary(this->Ground, this->Bites, this->Tree, this->Beats);
+    this->Boundary =
+      FindBoundary(this->Surface.Mesh, this->Ground, this->Bites, this->Tree, this->Beats);
   }
 
   bool MayGoOn() { return biting::MayGoOn(this->Problems, this->Beats); }
@@ -133,7 +132,7 @@ private:
       return false;
     }
     const WholeVerdict verdict = CheckWhole(this->Surface, this->Bites.Centers,
-      this->Boundary.Corners, TrianglesBelow(this->Whole), this->Beats);
+      this->Boundary.Corners, this->Boundary.Triangles, this->Beats);
     if (!verdict.IsSame)
     {
       this->Refuse(ProblemCode::TooThin, verdict.Place, verdict.Triangle, verdict.What);
@@ -186,6 +185,7 @@ private:
     {
       LinkGround(ground, this->Beats);
     }
+    this->Tree = MakeSurfaceTree(this->Surface.Mesh, this->Beats);
     this->CapSizes();
   }
 
@@ -199,14 +199,13 @@ private:
       return;
     }
     // Where caps divide the ground it sees more: from its new vertices.
-    const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(this->Surface.Mesh, this->Beats);
     constexpr int MostDivisions = 3;
     std::size_t seen = 0;
     for (int round = 0; round < MostDivisions && seen < ground.Mesh.Points.size(); ++round)
     {
       const std::size_t before = ground.Mesh.Points.size();
       CapByFeatures(ground, this->Beats);
-      CapByThickness(ground, this->Surface.Mesh, tree, seen, this->Beats);
+      CapByThickness(ground, this->Surface.Mesh, this->Tree, seen, this->Beats);
       seen = before;
       this->Regrade();
     }
@@ -374,16 +373,14 @@ private:
   SurfaceBites& Bites;
   BoxTree<SurfaceItem, 3>& Tree;
   SurfaceBoundary& Boundary;
-  const CertifiedSurface& Whole; ///< these five
   ProblemList& Problems;
   Pulse Beats;
 };
 
 /// Its region, and how far its middle is from the surface.
-void MeasureTriangle(const CertifiedSurface& certified, const SurfaceMesherOptions& options,
-  std::size_t t, BitingSurface& mesh)
+void MeasureTriangle(const SurfaceMesh& input, const CertifiedSurface& certified,
+  const SurfaceMesherOptions& options, std::size_t t, BitingSurface& mesh)
 {
-  const SurfaceMesh& ground = certified.Ground.Mesh;
   Point3 middle{};
   double size = 0.0;
   for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
@@ -391,9 +388,10 @@ void MeasureTriangle(const CertifiedSurface& certified, const SurfaceMesherOptio
     middle = middle + (1.0 / 3.0) * mesh.Points[At(mesh.Corners[slot])];
     size += mesh.Spacing[At(mesh.Corners[slot])] / 3.0;
   }
-  const auto distanceOf = [&ground, &middle](Id triangle)
-  { return Distance(NearestPoint(ground.Triangle(At(triangle)), middle), middle); };
-  Id nearest = certified.Bites.Triangles[At(mesh.Corners[3 * t])]; // not far
+  const auto distanceOf = [&input, &middle](Id triangle)
+  { return Distance(NearestPoint(input.Triangle(At(triangle)), middle), middle); };
+  Id nearest = // not far
+    certified.Ground.Mesh.Cells[At(certified.Bites.Triangles[At(mesh.Corners[3 * t])])];
   double least = distanceOf(nearest);
   certified.Tree.Search(middle, 1.0, least,
     [&distanceOf, &nearest, &least](const SurfaceItem& item, double limit)
@@ -404,12 +402,12 @@ void MeasureTriangle(const CertifiedSurface& certified, const SurfaceMesherOptio
       return least;
     });
   mesh.Deviations[t] = least / size;
-  mesh.Triangles[t] = ground.Cells[At(nearest)];
+  mesh.Triangles[t] = nearest;
   mesh.Regions[t] = options.Regions.empty() ? 0 : options.Regions[At(mesh.Triangles[t])];
 }
 
-void Measure(const CertifiedSurface& certified, const SurfaceMesherOptions& options,
-  BitingSurface& mesh, Pulse& pulse)
+void Measure(const SurfaceMesh& input, const CertifiedSurface& certified,
+  const SurfaceMesherOptions& options, BitingSurface& mesh, Pulse& pulse)
 {
   constexpr std::size_t CheapSteps = 31;
   const std::size_t triangles = mesh.Corners.size() / 3;
@@ -417,11 +415,11 @@ void Measure(const CertifiedSurface& certified, const SurfaceMesherOptions& opti
   mesh.Triangles.resize(triangles, 0);
   mesh.Regions.resize(triangles, 0);
   ForRowsAtOnce(pulse, triangles, CheapSteps,
-    [&certified, &options, &mesh](std::size_t begin, std::size_t end)
+    [&input, &certified, &options, &mesh](std::size_t begin, std::size_t end)
     {
       for (std::size_t t = begin; t < end; ++t)
       {
-        MeasureTriangle(certified, options, t, mesh);
+        MeasureTriangle(input, certified, options, t, mesh);
       }
     });
 }
@@ -445,8 +443,8 @@ bool MayGoOn(ProblemList& problems, Pulse& pulse)
   return !problems.HasErrors();
 }
 
-void DescribeMesh(const CertifiedSurface& certified, const SurfaceMesherOptions& options,
-  BitingSurface& mesh, Pulse& pulse)
+void DescribeMesh(const CheckedSurface& surface, const CertifiedSurface& certified,
+  const SurfaceMesherOptions& options, BitingSurface& mesh, Pulse& pulse)
 {
   const SurfaceBites& bites = certified.Bites;
   const SurfaceGround& ground = certified.Ground;
@@ -469,18 +467,7 @@ void DescribeMesh(const CertifiedSurface& certified, const SurfaceMesherOptions&
     mesh.BiteCenters = bites.Centers;
     mesh.BiteRadii = bites.Radii;
   }
-  Measure(certified, options, mesh, pulse);
-}
-
-std::vector<Id> TrianglesBelow(const CertifiedSurface& certified)
-{
-  std::vector<Id> below;
-  below.reserve(certified.Boundary.Triangles.size());
-  for (const Id triangle : certified.Boundary.Triangles)
-  {
-    below.push_back(certified.Ground.Mesh.Cells[At(triangle)]);
-  }
-  return below;
+  Measure(surface.Mesh, certified, options, mesh, pulse);
 }
 
 bool CrossesItself(const std::vector<Point3>& points, const std::vector<Id>& corners, Pulse& pulse)

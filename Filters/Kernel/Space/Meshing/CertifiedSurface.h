@@ -22,7 +22,7 @@ struct CertifiedSurface
   SurfaceGround Ground;
   std::function<double(const Point3&)> Spacing; ///< f as given, or its default
   SurfaceBites Bites;
-  BoxTree<SurfaceItem, 3> Tree; ///< of the ground
+  BoxTree<SurfaceItem, 3> Tree; ///< of the surface
   SurfaceBoundary Boundary;     ///< without offences
 };
 
@@ -39,11 +39,8 @@ bool CertifySurface(const CheckedSurface& surface, const SurfaceMesherOptions& o
 bool MayGoOn(ProblemList& problems, Pulse& pulse);
 
 /// Fills the other arrays of `mesh` from its Points, Spacing and Corners.
-void DescribeMesh(const CertifiedSurface& certified, const SurfaceMesherOptions& options,
-  BitingSurface& mesh, Pulse& pulse);
-
-/// Of facets of the boundary, the triangles of CheckedSurface::Mesh below.
-std::vector<Id> TrianglesBelow(const CertifiedSurface& certified);
+void DescribeMesh(const CheckedSurface& surface, const CertifiedSurface& certified,
+  const SurfaceMesherOptions& options, BitingSurface& mesh, Pulse& pulse);
 
 /// Whether triangles cross, or touch outside of the corners and edges that they share.
 bool CrossesItself(const std::vector<Point3>& points, const std::vector<Id>& corners, Pulse& pulse);

@@ -58,7 +58,7 @@ BitingSurface MeshSurface(const CheckedSurface& surface, const SurfaceMesherOpti
   {
     monitor.BeginStage("Relaxing");
     Relax(certified, options.Relaxation, mesh, pulse);
-    DescribeMesh(certified, options, mesh, pulse);
+    DescribeMesh(surface, certified, options, mesh, pulse);
   }
   return MayGoOn(problems, pulse) ? mesh : BitingSurface();
 }

@@ -7,6 +7,7 @@
 #include "TriangleContact.h"
 
 #include <algorithm> // for rotate, min, max
+#include <utility>   // for move
 
 namespace biting
 {
@@ -107,7 +108,7 @@ BoxTree<SurfaceItem, 3> MakeSurfaceTree(const SurfaceMesh& mesh, Pulse& pulse)
         items[t].Bounds.Add(corner);
       }
     });
-  return BoxTree<SurfaceItem, 3>(items, pulse);
+  return BoxTree<SurfaceItem, 3>(std::move(items), pulse);
 }
 
 std::vector<SurfaceContact> FindContacts(
