@@ -7,8 +7,9 @@
 #include "BallTree.h"
 #include "InteriorBites.h"
 
-#include <algorithm> // for sort
+#include <algorithm> // for find_if, sort
 #include <cmath>     // for sqrt
+#include <cstddef>   // for indices
 #include <vector>    // for the arrays
 
 namespace biting
@@ -43,13 +44,12 @@ public:
     this->IsHidden = false;
   }
 
-  /// Adds the circle in which another ball meets the sphere.
+  /// Adds the circle in which another ball, which meets this one, meets the sphere.
   void Add(Id id, const GuardedBall& other)
   {
     const Point3 way = other.Center - this->Own.Center;
     const double way2 = Dot(way, way);
-    const double reach = this->Own.Radius + other.Radius;
-    if (!(way2 < reach * reach) || !(way2 > 0.0))
+    if (!(way2 > 0.0))
     {
       return;
     }
@@ -70,10 +70,8 @@ public:
   template <typename IsParent, typename Visit>
   void Find(const IsParent& isParent, const Visit& visit)
   {
-    // Large guards first: they hide most places.
-    std::sort(this->Circles.begin(), this->Circles.end(),
-      [](const Circle& a, const Circle& b)
-      { return a.Guard < b.Guard || (a.Guard == b.Guard && a.Ball < b.Ball); });
+    this->SortCircles();
+    this->Hider = 0;
     this->Parents.clear();
     for (const Circle& circle : this->Circles)
     {
@@ -98,6 +96,25 @@ private:
     double GuardSine;
     Id Ball;
   };
+
+  /// Large guards first: they hide most places.
+  void SortCircles()
+  {
+    this->Order.clear();
+    for (const Circle& circle : this->Circles)
+    {
+      this->Order.push_back({ circle.Guard, circle.Ball, this->Order.size() });
+    }
+    std::sort(this->Order.begin(), this->Order.end(),
+      [](const Key& a, const Key& b)
+      { return a.Guard < b.Guard || (a.Guard == b.Guard && a.Ball < b.Ball); });
+    this->Parents.clear();
+    for (const Key& key : this->Order)
+    {
+      this->Parents.push_back(this->Circles[key.Place]);
+    }
+    this->Circles.swap(this->Parents);
+  }
 
   static double SineOf(double cosine) { return std::sqrt(std::max(0.0, 1.0 - cosine * cosine)); }
 
@@ -145,21 +162,32 @@ private:
     return false;
   }
 
-  bool IsGuarded(const Point3& place) const
+  /// What hid the last place often hides the next.
+  bool IsGuarded(const Point3& place)
   {
-    for (const Circle& other : this->Circles)
+    const auto isIn = [&place](const Circle& other) { return Dot(place, other.Way) > other.Guard; };
+    if (isIn(this->Circles[this->Hider]))
     {
-      if (Dot(place, other.Way) > other.Guard)
-      {
-        return true;
-      }
+      return true;
     }
-    return false;
+    const auto hider = std::find_if(this->Circles.begin(), this->Circles.end(), isIn);
+    const bool isFound = hider != this->Circles.end();
+    this->Hider = isFound ? static_cast<std::size_t>(hider - this->Circles.begin()) : this->Hider;
+    return isFound;
   }
+
+  struct Key
+  {
+    double Guard;
+    Id Ball;
+    std::size_t Place; ///< in Circles
+  };
 
   GuardedBall Own;
   std::vector<Circle> Circles;
+  std::vector<Key> Order;
   std::vector<Circle> Parents; ///< the circles that lie in no guard
+  std::size_t Hider = 0;       ///< the circle whose guard hid the last place
   bool IsHidden = false;       ///< another ball contains the sphere
 };
 
