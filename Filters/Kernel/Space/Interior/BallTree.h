@@ -50,7 +50,7 @@ public:
     this->Items.push_back(ball);
     this->LastVisits.push_back(id);
     const double largest = std::max(LargestLeaf * ball.Radius, LeastShare * this->Root.HalfSide);
-    this->Found.clear();
+    this->NumberFound = 0;
     this->VisitLeaves(ball, largest,
       [this, id](Id node)
       {
@@ -66,7 +66,7 @@ public:
   {
     const Id number = -2 - ball; // the number of no visit by Add
     this->LastVisits[static_cast<std::size_t>(ball)] = number;
-    this->Found.clear();
+    this->NumberFound = 0;
     const GuardedBall own = this->At(ball);
     this->VisitLeaves(own, Infinity, [this, number](Id node) { this->Collect(node, number); });
     this->VisitFound(own, visit);
@@ -143,16 +143,20 @@ private:
     for (Id id = ~this->NodeAt(node); id != 0; id = this->BlockAt(id).Next)
     {
       const Block& block = this->BlockAt(id);
-      std::size_t count = this->Found.size();
-      this->Found.resize(count + block.Balls.size());
+      if (this->Found.size() < this->NumberFound + block.Balls.size())
+      {
+        this->Found.resize(2 * (this->NumberFound + block.Balls.size()));
+      }
+      Id* const found = this->Found.data();
+      std::size_t count = this->NumberFound;
       for (std::size_t k = 0; k < block.Count; ++k)
       {
         Id& last = this->LastVisits[static_cast<std::size_t>(block.Balls[k])];
-        this->Found[count] = block.Balls[k];
+        found[count] = block.Balls[k];
         count += last != number ? 1 : 0;
         last = number;
       }
-      this->Found.resize(count);
+      this->NumberFound = count;
     }
   }
 
@@ -160,8 +164,9 @@ private:
   void VisitFound(const GuardedBall& ball, const Visit& visit)
   {
     std::size_t count = 0;
-    for (const Id id : this->Found)
+    for (std::size_t k = 0; k < this->NumberFound; ++k)
     {
+      const Id id = this->Found[k];
       const GuardedBall& other = this->At(id);
       const Point3 way = other.Center - ball.Center;
       const double reach = ball.Radius + other.Radius;
@@ -278,7 +283,8 @@ private:
   std::vector<Block> Blocks{ 1 }; ///< the first one stands for none
   std::vector<Cube> Front;        ///< of the walk
   std::vector<Id> Moved;
-  std::vector<Id> Found; ///< by a visit
+  std::vector<Id> Found; ///< by a visit, then anything
+  std::size_t NumberFound = 0;
 };
 
 } // namespace biting

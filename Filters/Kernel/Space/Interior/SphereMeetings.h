@@ -77,11 +77,8 @@ public:
     {
       if (!this->IsHidden && isParent(circle.Ball) && !this->IsGuarded(circle))
       {
+        this->MeetParents(circle, visit);
         this->Parents.push_back(circle);
-        for (std::size_t k = 0; k + 1 < this->Parents.size(); ++k)
-        {
-          this->Meet(this->Parents.back(), this->Parents[k], visit);
-        }
       }
     }
   }
@@ -118,27 +115,41 @@ private:
 
   static double SineOf(double cosine) { return std::sqrt(std::max(0.0, 1.0 - cosine * cosine)); }
 
+  /// The meetings of a circle with the parents. Step by step for all, so that the processor need
+  /// not wait for roots and quotients.
   template <typename Visit>
-  void Meet(const Circle& a, const Circle& b, const Visit& visit)
+  void MeetParents(const Circle& a, const Visit& visit)
   {
-    const double cosine = Dot(a.Way, b.Way);
-    const double rest = 1.0 - cosine * cosine;
-    const double rise2 =
-      rest - a.Height * a.Height - b.Height * b.Height + 2.0 * cosine * a.Height * b.Height;
     constexpr double LeastRest = 1e-12; // of parallel planes
-    if (!(rise2 >= 0.0) || rest < LeastRest)
+    this->Pairs.resize(this->Parents.size());
+    std::size_t count = 0;
+    for (const Circle& b : this->Parents)
     {
-      return;
+      const double cosine = Dot(a.Way, b.Way);
+      const double rest = 1.0 - cosine * cosine;
+      const double rise2 =
+        rest - a.Height * a.Height - b.Height * b.Height + 2.0 * cosine * a.Height * b.Height;
+      this->Pairs[count] = { &b, cosine, rest, rise2, {}, {} };
+      count += rise2 >= 0.0 && rest >= LeastRest ? 1 : 0;
     }
-    const double scale = 1.0 / rest;
-    const Point3 foot = scale * (a.Height - cosine * b.Height) * a.Way +
-      scale * (b.Height - cosine * a.Height) * b.Way;
-    const Point3 rise = scale * std::sqrt(rise2) * Cross(a.Way, b.Way);
-    for (const Point3& place : { foot + rise, foot - rise })
+    for (std::size_t k = 0; k < count; ++k)
     {
-      if (!this->IsGuarded(place))
+      Pair& pair = this->Pairs[k];
+      const Circle& b = *pair.Other;
+      const double scale = 1.0 / pair.Rest;
+      pair.Foot = scale * (a.Height - pair.Cosine * b.Height) * a.Way +
+        scale * (b.Height - pair.Cosine * a.Height) * b.Way;
+      pair.Rise = scale * std::sqrt(pair.Rise2) * Cross(a.Way, b.Way);
+    }
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const Pair& pair = this->Pairs[k];
+      for (const Point3& place : { pair.Foot + pair.Rise, pair.Foot - pair.Rise })
       {
-        visit(this->Own.Center + this->Own.Radius * place, a.Ball, b.Ball);
+        if (!this->IsGuarded(place))
+        {
+          visit(this->Own.Center + this->Own.Radius * place, a.Ball, pair.Other->Ball);
+        }
       }
     }
   }
@@ -183,7 +194,19 @@ private:
     std::size_t Place; ///< in Circles
   };
 
+  /// Of circles whose planes meet inside the sphere.
+  struct Pair
+  {
+    const Circle* Other;
+    double Cosine; ///< of the angle between the ways
+    double Rest;   ///< 1 - Cosine^2
+    double Rise2;
+    Point3 Foot;
+    Point3 Rise;
+  };
+
   GuardedBall Own;
+  std::vector<Pair> Pairs;
   std::vector<Circle> Circles;
   std::vector<Key> Order;
   std::vector<Circle> Parents; ///< the circles that lie in no guard
