@@ -236,7 +236,7 @@ void vtkMeshConformity::Execution::MeasureSpace(vtkInformationVector* outputs)
                           : "There is no spacing to compare with: shapes are measured, conformity "
                             "is not. Choose a point array of the mesh.");
   mesh.Quality =
-    biting::MeasureTetrahedra({ mesh.Points, mesh.Spacing, mesh.Corners }, this->Progress);
+    biting::MeasureTetrahedra({ mesh.Points, mesh.Spacing, mesh.Corners, true }, this->Progress);
   if (this->Progress.Advance(1.0))
   {
     vtkDataSet* output = vtkDataSet::GetData(outputs, 0);

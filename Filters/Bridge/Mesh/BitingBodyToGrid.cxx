@@ -19,6 +19,7 @@
 #include <algorithm> // for transform
 #include <numeric>   // for iota
 #include <sstream>   // for figures
+#include <utility>   // for move
 
 namespace biting
 {
@@ -43,7 +44,7 @@ void BoundaryToPolyData(BitingBody& body, const CheckedSurface& surface, const D
 
 std::vector<std::uint8_t> KindsOf(const BitingBody& body)
 {
-  std::vector<std::uint8_t> kinds(body.Points.size(), InsideKind);
+  std::vector<std::uint8_t> kinds(body.BiteOrders.size(), InsideKind);
   std::transform(body.Boundary.Kinds.begin(), body.Boundary.Kinds.end(), kinds.begin(),
     [](SurfaceVertexKind kind) { return static_cast<std::uint8_t>(kind); });
   return kinds;
@@ -68,37 +69,37 @@ std::string BitingBodyToGrid(BitingBody& body, const CheckedSurface& surface,
 {
   Pulse pulse(monitor);
   BoundaryToPolyData(body, surface, drawing, boundary, pulse);
+  const double volume = WholeVolume(body);
+  MeasuredTetrahedra measured;
+  measured.Points = std::move(body.Points);
+  measured.Spacing = std::move(body.Spacing);
+  measured.Corners = std::move(body.Corners);
+  measured.Quality =
+    MeasureTetrahedra({ measured.Points, measured.Spacing, measured.Corners }, monitor);
   mesh->Initialize();
-  mesh->SetPoints(MakePoints(body.Points, VTK_DOUBLE, pulse));
+  mesh->SetPoints(MakePoints(measured.Points, VTK_DOUBLE, pulse));
   vtkNew<vtkCellArray> cells;
-  SetCells(cells, 4, body.Corners, pulse);
+  SetCells(cells, 4, measured.Corners, pulse);
   mesh->SetCells(VTK_TETRA, cells);
   vtkPointData* pointData = mesh->GetPointData();
   AddArray<vtkIntArray>(pointData, "BiteOrder", body.BiteOrders, pulse);
   AddArray<vtkUnsignedCharArray>(pointData, "VertexKind", KindsOf(body), pulse);
   AddArray<vtkIdTypeArray>(pointData, "OriginalPointId", body.OriginalPoints, pulse);
   AddArray<vtkIdTypeArray>(mesh->GetCellData(), "RegionId", body.Regions, pulse);
-  MeasuredTetrahedra measured;
-  measured.Points = body.Points;
-  measured.Spacing = body.Spacing;
-  measured.Corners = body.Corners;
-  measured.Cells.resize(body.Regions.size());
-  std::iota(measured.Cells.begin(), measured.Cells.end(), 0);
-  measured.Quality =
-    MeasureTetrahedra({ measured.Points, measured.Spacing, measured.Corners }, monitor);
+  ReleaseInSteps(pulse, measured.Points, body.BiteOrders, body.OriginalPoints, body.Regions);
   measured.Write(mesh);
   vtkFieldData* figures = mesh->GetFieldData();
   for (const char* name : { "EulerNumber", "LargestDeviation" })
   {
     figures->AddArray(boundary->GetFieldData()->GetArray(name));
   }
-  AddFigure(figures, "Volume", WholeVolume(body));
+  AddFigure(figures, "Volume", volume);
   std::ostringstream text;
   text.precision(3);
   text << "Largest deviation from the surface: "
        << figures->GetArray("LargestDeviation")->GetComponent(0, 0) << " f\nVolume: ";
   text.precision(6);
-  text << WholeVolume(body)
+  text << volume
        << "\nEuler number of the boundary: " << figures->GetArray("EulerNumber")->GetComponent(0, 0)
        << "\n";
   return measured.Summary() + text.str();

@@ -117,17 +117,23 @@ std::string MeasuredTetrahedra::Read(vtkDataSet* data, vtkDataArray* spacing, Mo
   return {};
 }
 
-void MeasuredTetrahedra::Write(vtkDataSet* output) const
+void MeasuredTetrahedra::Write(vtkDataSet* output)
 {
-  const TetQuality& quality = this->Quality;
-  const auto addOfCells = [this, output](const char* name, const std::vector<double>& values)
+  TetQuality& quality = this->Quality;
+  const auto addOfCells = [this, output](const char* name, std::vector<double>& values)
   {
-    std::vector<double> all(static_cast<std::size_t>(output->GetNumberOfCells()), Unmeasured);
-    for (std::size_t k = 0; k < this->Cells.size(); ++k)
+    const auto numberOfCells = static_cast<std::size_t>(output->GetNumberOfCells());
+    if (values.size() != numberOfCells)
     {
-      all[static_cast<std::size_t>(this->Cells[k])] = values[k];
+      std::vector<double> all(numberOfCells, Unmeasured);
+      for (std::size_t k = 0; k < this->Cells.size(); ++k)
+      {
+        all[static_cast<std::size_t>(this->Cells[k])] = values[k];
+      }
+      values.swap(all);
     }
-    AddArray<vtkDoubleArray>(output->GetCellData(), name, all);
+    AddArray<vtkDoubleArray>(output->GetCellData(), name, values);
+    std::vector<double>().swap(values);
   };
   addOfCells("MinimumDihedralAngle", quality.MinimumDihedralAngle);
   addOfCells("MaximumDihedralAngle", quality.MaximumDihedralAngle);
@@ -142,7 +148,7 @@ void MeasuredTetrahedra::Write(vtkDataSet* output) const
   AddArray<vtkDoubleArray>(output->GetPointData(), "NearestNeighborDistance", distances);
   vtkFieldData* figures = output->GetFieldData();
   AddCount(figures, "NumberOfVertices", quality.NumberOfVertices);
-  AddCount(figures, "NumberOfTetrahedra", static_cast<std::int64_t>(this->Cells.size()));
+  AddCount(figures, "NumberOfTetrahedra", static_cast<std::int64_t>(this->Corners.size() / 4));
   AddCount(figures, "NumberOfSlivers", quality.NumberOfSlivers);
   AddFigure(figures, "SmallestDihedralAngle", quality.SmallestDihedralAngle);
   AddFigure(figures, "LargestDihedralAngle", quality.LargestDihedralAngle);
@@ -174,7 +180,7 @@ std::string MeasuredTetrahedra::Summary() const
 {
   const TetQuality& quality = this->Quality;
   return std::to_string(quality.NumberOfVertices) + " vertices, " +
-    std::to_string(this->Cells.size()) + " tetrahedra\nDihedral angles from " +
+    std::to_string(this->Corners.size() / 4) + " tetrahedra\nDihedral angles from " +
     NumberText(quality.SmallestDihedralAngle) + " to " + NumberText(quality.LargestDihedralAngle) +
     " degrees\nSlivers: " + std::to_string(quality.NumberOfSlivers) + "\n" +
     (this->Spacing.empty() ? ""

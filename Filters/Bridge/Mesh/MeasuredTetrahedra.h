@@ -27,7 +27,7 @@ struct MeasuredTetrahedra
 {
   std::vector<Point3> Points;   ///< all of the grid
   std::vector<double> Spacing;  ///< of each point; empty without one
-  std::vector<vtkIdType> Cells; ///< of each tetrahedron
+  std::vector<vtkIdType> Cells; ///< of each tetrahedron; not needed where all cells are some
   std::vector<Id> Corners;
   TetQuality Quality;
 
@@ -39,8 +39,9 @@ struct MeasuredTetrahedra
   /// beyond 32 bits or of no point, coordinates or a spacing at a corner that cannot be used.
   std::string Read(vtkDataSet* data, vtkDataArray* spacing, Monitor& monitor);
 
-  /// Adds the measures to the grid that was read, as arrays and figures.
-  void Write(vtkDataSet* output) const;
+  /// Adds the measures to the grid that was read, as arrays and figures. The memory of those of
+  /// tetrahedra is given back.
+  void Write(vtkDataSet* output);
 
   /// How they are spread.
   void WriteHistograms(int bins, vtkTable* histograms) const;

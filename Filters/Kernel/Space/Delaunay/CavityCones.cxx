@@ -21,9 +21,14 @@ Id FacetAtEdge(const TetMesh& mesh, Id cone, Id opposite)
 
 } // namespace
 
-void CavityCones::Fill(TetMesh& mesh, Id vertex)
+void CavityCones::Fill(TetMesh& mesh, Id vertex, bool mayHide)
 {
   this->NumberCorners(mesh);
+  this->Hidden.clear();
+  if (mayHide)
+  {
+    this->HideInside(mesh);
+  }
   this->MakeCones(mesh, vertex);
   if (this->NumberOfLocals <= FewCorners)
   {
@@ -60,6 +65,24 @@ Id CavityCones::NumberOf(TetMesh& mesh, Id vertex)
     place = -1 - this->NumberOfLocals++;
   }
   return -1 - place;
+}
+
+/// Corners of walls have numbers: others have a cell of the zone still.
+void CavityCones::HideInside(TetMesh& mesh)
+{
+  for (const Id cell : this->Zone)
+  {
+    for (Id corner = 4 * cell; corner < 4 * cell + 4; ++corner)
+    {
+      const Id vertex = mesh.Corners[TetMesh::Index(corner)];
+      if (vertex != NoId && mesh.VertexCells[TetMesh::Index(vertex)] > NoId)
+      {
+        mesh.VertexCells[TetMesh::Index(vertex)] = NoId;
+        this->Hidden.push_back(vertex);
+      }
+    }
+  }
+  std::sort(this->Hidden.begin(), this->Hidden.end());
 }
 
 void CavityCones::MakeCones(TetMesh& mesh, Id vertex)

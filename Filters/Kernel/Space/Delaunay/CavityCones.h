@@ -44,10 +44,13 @@ public:
         mesh.Twins[TetMesh::Index(facet)] });
   }
 
+  std::vector<Id> Hidden; ///< by Fill, ascending: vertices of the zone that no wall has
+
   /// Replaces the cells of the zone by the cones. Links, VertexCells and the free list follow.
+  /// `mayHide`: whether the zone can have vertices inside.
   /// Precondition: the walls are a sphere, which is star-shaped as seen from the vertex; the cells
   /// outside are no longer needed to find the zone. Cost linear in the walls, up to 64 corners.
-  void Fill(TetMesh& mesh, Id vertex);
+  void Fill(TetMesh& mesh, Id vertex, bool mayHide);
 
 private:
   static constexpr Id FewCorners = 64;
@@ -55,6 +58,7 @@ private:
   void MakeCones(TetMesh& mesh, Id vertex);
   void NumberCorners(TetMesh& mesh);
   Id NumberOf(TetMesh& mesh, Id vertex);
+  void HideInside(TetMesh& mesh);
   void LinkFew(TetMesh& mesh);
   void LinkMany(TetMesh& mesh);
 

@@ -117,16 +117,9 @@ PointInsertion RegularTriangulation::InsertVertex(Id vertex, Id hint)
     return { PointOutcome::Hidden, vertex };
   }
   this->FindCavity(cell, vertex);
-  if (this->HasWeights)
-  {
-    this->NoteCorners();
-  }
-  this->Cavity.Fill(this->Tets, vertex);
+  this->Cavity.Fill(this->Tets, vertex, this->HasWeights);
   this->Marks.resize(Index(this->Tets.NumberOfSlots()), Unseen);
-  if (this->HasWeights)
-  {
-    this->HideInsideOfCavity();
-  }
+  this->Hidden.insert(this->Hidden.end(), this->Cavity.Hidden.begin(), this->Cavity.Hidden.end());
   this->LastVertex = vertex;
   return { PointOutcome::Inserted, vertex };
 }
@@ -201,40 +194,6 @@ void RegularTriangulation::FindCavity(Id first, Id vertex)
   for (const CavityCones::Wall& wall : this->Cavity.Walls)
   {
     this->Marks[Index(TetMesh::CellOf(wall.Outside))] = Unseen;
-  }
-}
-
-void RegularTriangulation::NoteCorners()
-{
-  this->ZoneCorners.clear();
-  for (const Id cell : this->Cavity.Zone)
-  {
-    for (Id corner = 4 * cell; corner < 4 * cell + 4; ++corner)
-    {
-      this->ZoneCorners.push_back(this->Tets.Corners[Index(corner)]);
-    }
-  }
-  std::sort(this->ZoneCorners.begin(), this->ZoneCorners.end());
-}
-
-// Those that have no cell any more: VertexCells has a cell of the zone still.
-void RegularTriangulation::HideInsideOfCavity()
-{
-  Id last = NoId;
-  for (const Id vertex : this->ZoneCorners)
-  {
-    if (vertex == last)
-    {
-      continue;
-    }
-    last = vertex;
-    Id& cell = this->Tets.VertexCells[Index(vertex)];
-    const auto corners = this->Tets.Corners.begin() + 4 * cell;
-    if (this->Tets.IsFree(cell) || std::find(corners, corners + 4, vertex) == corners + 4)
-    {
-      cell = NoId;
-      this->Hidden.push_back(vertex);
-    }
   }
 }
 

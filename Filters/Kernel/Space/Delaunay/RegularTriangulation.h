@@ -98,8 +98,6 @@ private:
   PointInsertion Wait(Id vertex);
   void Start();
   void FindCavity(Id first, Id vertex);
-  void NoteCorners();
-  void HideInsideOfCavity();
   void InsertLater(const std::vector<Id>& vertices);
   void WaitAgain();
   void StartAgain(Id without);
@@ -112,7 +110,6 @@ private:
   std::vector<Id> Hidden;
   std::vector<LateDuplicate> Late;
   CavityCones Cavity;
-  std::vector<Id> ZoneCorners; ///< of its cells before it is filled; only where there are weights
   std::vector<std::uint8_t> Marks; ///< of cells, while a cavity is looked for; else all Unseen
 };
 

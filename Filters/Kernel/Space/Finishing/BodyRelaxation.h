@@ -24,7 +24,10 @@ struct RelaxedBody
   std::vector<Id> BoundaryPlaces; ///< of vertices of the boundary: a triangle of the ground there
 
   std::vector<Id> Corners; ///< four vertices a tetrahedron, positive by Orient3D
+  std::vector<Id> Twins; ///< of its facets (TetMesh): the same one beyond, or CodeOf(k) at facet k
   std::vector<Id> Regions; ///< of tetrahedra
+
+  static Id CodeOf(Id facet) { return -2 - facet; }
 
   /// Three vertices each: all facets with a tetrahedron on one side only, oriented away from it;
   /// and those between different regions, once, oriented away from the lower one.

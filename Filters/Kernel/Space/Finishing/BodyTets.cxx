@@ -3,7 +3,7 @@
 
 #include "BodyTets.h"
 
-#include <algorithm> // for sort, min, max
+#include <algorithm> // for copy, find, max, min, sort
 #include <utility>   // for move
 
 namespace biting
@@ -26,9 +26,8 @@ BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
   this->Mesh.Points = std::move(body.Points);
   this->Mesh.Corners = std::move(body.Corners);
   this->Mesh.Labels = std::move(body.Regions);
-  this->Mesh.Twins.assign(this->Mesh.Corners.size(), NoId);
+  this->Mesh.Twins = std::move(body.Twins);
   this->Mesh.VertexCells.assign(this->Mesh.Points.size(), NoId);
-  this->LinkAll(pulse);
   this->Touched.assign(this->Mesh.Points.size(), 0);
   this->TriedMoves.assign(this->Mesh.Points.size(), 0);
   this->NumberOfMoves.assign(this->Mesh.Points.size(), 0);
@@ -37,9 +36,15 @@ BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
   {
     const Tetrahedron corners = this->CornersOf(cell);
     this->Badness[At(cell)] = this->BadnessOf(corners);
-    for (const Id vertex : corners)
+    for (Id slot = 4 * cell; slot < 4 * cell + 4; ++slot)
     {
-      this->Mesh.VertexCells[At(vertex)] = cell;
+      this->Mesh.VertexCells[At(this->VertexAt(slot))] = cell;
+      const Id record = this->RecordOf(slot);
+      if (record >= 0)
+      {
+        this->FacetSlots[At(2 * record + (this->FacetSlots[At(2 * record)] == NoId ? 0 : 1))] =
+          slot;
+      }
     }
     pulse.Beat(1);
   }
@@ -64,64 +69,9 @@ void BodyTets::ResizeCells()
   this->Stamps.resize(count, 0);
 }
 
-/// Facets with the same lowest vertex are found together: slots, and codes of records.
-void BodyTets::LinkAll(Pulse& pulse)
+std::array<Id, 3> BodyTets::SortedCorners(Id slot) const
 {
-  const IdLists buckets(this->Mesh.Points.size(),
-    [this](const auto& add)
-    {
-      for (Id record = 0; record < static_cast<Id>(this->Body.FacetTags.size()); ++record)
-      {
-        add(this->SortedCorners(CodeOf(record))[0], CodeOf(record));
-      }
-      for (Id slot = 0; slot < 4 * this->Mesh.NumberOfSlots(); ++slot)
-      {
-        add(this->SortedCorners(slot)[0], slot);
-      }
-    });
-  for (Id vertex = 0; vertex < this->Mesh.NumberOfVertices() && pulse.Beat(64); ++vertex)
-  {
-    this->LinkBucket(buckets[vertex]);
-  }
-  this->IsLinked = !pulse.HasStopped();
-}
-
-/// Records come first in a bucket.
-void BodyTets::LinkBucket(const IdLists::List& items)
-{
-  const auto isOpen = [this](Id item) { return item < 0 || this->Mesh.Twins[At(item)] == NoId; };
-  for (const Id* item = items.begin(); item < items.end(); ++item)
-  {
-    if (!isOpen(*item))
-    {
-      continue;
-    }
-    const std::array<Id, 3> corners = this->SortedCorners(*item);
-    Id half = 0;
-    for (const Id* other = item + 1; other < items.end() && half < 2; ++other)
-    {
-      if (*other < 0 || !isOpen(*other) || this->SortedCorners(*other) != corners)
-      {
-        continue;
-      }
-      if (*item < 0)
-      {
-        this->Attach(-2 - *item, half++, *other);
-      }
-      else
-      {
-        this->Mesh.Link(*item, *other);
-        half = 2;
-      }
-    }
-  }
-}
-
-std::array<Id, 3> BodyTets::SortedCorners(Id item) const
-{
-  const Id* facet = item < 0 ? &this->Body.Facets[At(3 * (-2 - item))] : nullptr;
-  std::array<Id, 3> corners =
-    facet == nullptr ? this->FacetCorners(item) : std::array<Id, 3>{ facet[0], facet[1], facet[2] };
+  std::array<Id, 3> corners = this->FacetCorners(slot);
   std::sort(corners.begin(), corners.end());
   return corners;
 }
@@ -129,7 +79,7 @@ std::array<Id, 3> BodyTets::SortedCorners(Id item) const
 void BodyTets::Attach(Id record, Id half, Id slot)
 {
   this->FacetSlots[At(2 * record + half)] = slot;
-  this->Mesh.Twins[At(slot)] = CodeOf(record);
+  this->Mesh.Twins[At(slot)] = RelaxedBody::CodeOf(record);
 }
 
 Id BodyTets::Across(Id slot) const
@@ -139,7 +89,7 @@ Id BodyTets::Across(Id slot) const
   {
     return twin;
   }
-  const Id* halves = &this->FacetSlots[At(2 * (-2 - twin))];
+  const Id* halves = &this->FacetSlots[At(2 * this->RecordOf(slot))];
   return halves[0] == slot ? halves[1] : halves[0];
 }
 
@@ -197,8 +147,7 @@ std::vector<Id> BodyTets::DropUnused()
   this->Body.Origins.clear();
   for (Id vertex = 0; vertex < this->Mesh.NumberOfVertices(); ++vertex)
   {
-    if (vertex < this->Body.NumberOnBoundary || !this->IsLinked ||
-      this->Mesh.VertexCells[At(vertex)] != NoId)
+    if (vertex < this->Body.NumberOnBoundary || this->Mesh.VertexCells[At(vertex)] != NoId)
     {
       numbers[At(vertex)] = static_cast<Id>(this->Body.Origins.size());
       this->Mesh.Points[this->Body.Origins.size()] = this->Mesh.PointAt(vertex);
@@ -214,7 +163,7 @@ std::vector<Id> BodyTets::DropUnused()
 void BodyTets::GiveBack()
 {
   const std::vector<Id> numbers = this->DropUnused();
-  for (std::size_t record = 0; this->IsLinked && record < this->Body.FacetTags.size(); ++record)
+  for (std::size_t record = 0; record < this->Body.FacetTags.size(); ++record)
   {
     const Id* halves = &this->FacetSlots[2 * record];
     const auto regionOf = [this](Id slot) { return this->Mesh.Labels[At(slot >> 2)]; };
@@ -222,24 +171,37 @@ void BodyTets::GiveBack()
     const std::array<Id, 3> corners = this->FacetCorners(halves[isSecond ? 1 : 0]);
     std::copy(corners.begin(), corners.end(), &this->Body.Facets[3 * record]);
   }
-  std::size_t kept = 0;
-  for (Id cell = 0; cell < this->Mesh.NumberOfSlots(); ++cell)
-  {
-    if (!this->Mesh.IsFree(cell))
-    {
-      for (std::size_t k = 0; k < 4; ++k)
-      {
-        const Id corner = this->Mesh.Corners[At(4 * cell) + k];
-        this->Mesh.Corners[4 * kept + k] = numbers[At(corner)];
-      }
-      this->Mesh.Labels[kept++] = this->Mesh.Labels[At(cell)];
-    }
-  }
-  this->Mesh.Corners.resize(4 * kept);
-  this->Mesh.Labels.resize(kept);
+  this->DropFree(numbers);
   this->Body.Points = std::move(this->Mesh.Points);
   this->Body.Corners = std::move(this->Mesh.Corners);
+  this->Body.Twins = std::move(this->Mesh.Twins);
   this->Body.Regions = std::move(this->Mesh.Labels);
+}
+
+/// Takes free cells away. `numbers`: of vertices, the new ones.
+void BodyTets::DropFree(const std::vector<Id>& numbers)
+{
+  Id kept = 0;
+  std::vector<Id> places(At(this->Mesh.NumberOfSlots()), NoId);
+  for (Id cell = 0; cell < this->Mesh.NumberOfSlots(); ++cell)
+  {
+    places[At(cell)] = this->Mesh.IsFree(cell) ? NoId : kept++;
+  }
+  for (Id slot = 0; slot < 4 * this->Mesh.NumberOfSlots(); ++slot)
+  {
+    const Id place = places[At(slot >> 2)];
+    if (place != NoId)
+    {
+      const Id twin = this->Mesh.Twins[At(slot)];
+      const Id to = 4 * place + (slot & 3);
+      this->Mesh.Corners[At(to)] = numbers[At(this->VertexAt(slot))];
+      this->Mesh.Twins[At(to)] = twin < 0 ? twin : 4 * places[At(twin >> 2)] + (twin & 3);
+      this->Mesh.Labels[At(place)] = this->Mesh.Labels[At(slot >> 2)];
+    }
+  }
+  this->Mesh.Corners.resize(4 * At(kept));
+  this->Mesh.Twins.resize(4 * At(kept));
+  this->Mesh.Labels.resize(At(kept));
 }
 
 } // namespace biting

@@ -19,11 +19,11 @@ namespace biting
 
 /// The tetrahedra of a body at work. Mesh is as TetMesh says, with regions as labels, but has no
 /// ghosts: facets of the boundary and of interfaces have records, numbered as RelaxedBody::Facets,
-/// and Twins is CodeOf(record) at each slot that has one.
+/// and Twins is as RelaxedBody has it.
 class BodyTets
 {
 public:
-  /// Takes points, corners and regions of the body until GiveBack.
+  /// Takes points, corners, twins and regions of the body until GiveBack.
   BodyTets(RelaxedBody& body, Pulse& pulse);
 
   /// Gives them back with the facets.
@@ -43,9 +43,8 @@ public:
   /// The slot of the same facet in the other cell, if there is one; else NoId.
   Id Across(Id slot) const;
 
-  static Id CodeOf(Id record) { return -2 - record; }
   /// The record of the facet of the slot; below 0 where it has none.
-  Id RecordOf(Id slot) const { return -2 - this->Mesh.Twins[At(slot)]; }
+  Id RecordOf(Id slot) const { return RelaxedBody::CodeOf(this->Mesh.Twins[At(slot)]); }
   bool IsInterface(Id record) const { return this->FacetSlots[At(2 * record + 1)] != NoId; }
 
   /// Whether the edge is one of those that stay.
@@ -87,14 +86,12 @@ private:
   friend class CellChange;
 
   std::vector<Id> DropUnused();
+  void DropFree(const std::vector<Id>& numbers);
   void ResizeCells();
-  void LinkAll(Pulse& pulse);
-  void LinkBucket(const IdLists::List& items);
-  std::array<Id, 3> SortedCorners(Id item) const;
+  std::array<Id, 3> SortedCorners(Id slot) const;
   void Attach(Id record, Id half, Id slot);
 
   Id NumberOfGiven;           ///< vertices
-  bool IsLinked = false;      ///< false where the constructor was stopped
   std::vector<Id> FacetSlots; ///< two a record: of the cells on its sides, NoId beyond the boundary
   IdLists KeptEnds;           ///< of vertices on lines: the greater ends of edges that stay
   std::vector<Id> Star;

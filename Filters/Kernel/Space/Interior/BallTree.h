@@ -24,7 +24,6 @@ struct GuardedBall
   double Radius = 0.0; ///< of a ball; half of the diagonal of a cube
   double Guard = 0.0;  ///< radius of the guard; of a cube half of its side: less than the bite's
   Id Frame = NoId;     ///< of a cube: the number of its axes; NoId: a ball
-  Id LastVisit = NoId; ///< the number of the tree's last visit that came here
 };
 
 /// Finds balls of any sizes at a place or near a ball: an octree whose leaves list the balls that
@@ -43,30 +42,34 @@ public:
   const GuardedBall& At(Id ball) const { return this->Items[static_cast<std::size_t>(ball)]; }
   Id Size() const { return static_cast<Id>(this->Items.size()); }
 
-  /// Calls visit(id, other) for all balls that may meet `ball`, then adds `ball`.
+  /// Calls visit(id, other) for all balls that meet `ball`, then adds `ball`.
   template <typename Visit>
   void Add(const GuardedBall& ball, const Visit& visit)
   {
     const Id id = this->Size();
     this->Items.push_back(ball);
-    this->Items.back().LastVisit = id;
+    this->LastVisits.push_back(id);
     const double largest = std::max(LargestLeaf * ball.Radius, LeastShare * this->Root.HalfSide);
+    this->NumberFound = 0;
     this->VisitLeaves(ball, largest,
-      [this, id, &visit](Id node)
+      [this, id](Id node)
       {
-        this->VisitLeaf(node, id, visit);
+        this->Collect(node, id);
         this->Prepend(node, id);
       });
+    this->VisitFound(ball, visit);
   }
 
-  /// Calls visit(id, other) for all others that may meet the ball.
+  /// Calls visit(id, other) for all others that meet the ball.
   template <typename Visit>
   void VisitNear(Id ball, const Visit& visit)
   {
     const Id number = -2 - ball; // the number of no visit by Add
-    this->Items[static_cast<std::size_t>(ball)].LastVisit = number;
-    this->VisitLeaves(this->At(ball), Infinity,
-      [this, number, &visit](Id node) { this->VisitLeaf(node, number, visit); });
+    this->LastVisits[static_cast<std::size_t>(ball)] = number;
+    this->NumberFound = 0;
+    const GuardedBall own = this->At(ball);
+    this->VisitLeaves(own, Infinity, [this, number](Id node) { this->Collect(node, number); });
+    this->VisitFound(own, visit);
   }
 
   /// Whether isGuarded(ball) holds for a ball of number >= `first` in the leaf of the place.
@@ -133,21 +136,46 @@ private:
     return ~node;
   }
 
-  template <typename Visit>
-  void VisitLeaf(Id node, Id number, const Visit& visit)
+  /// Adds the balls of a leaf to Found that this visit has not met. Without branches, so that the
+  /// processor waits for many balls at a time.
+  void Collect(Id node, Id number)
   {
     for (Id id = ~this->NodeAt(node); id != 0; id = this->BlockAt(id).Next)
     {
       const Block& block = this->BlockAt(id);
+      if (this->Found.size() < this->NumberFound + block.Balls.size())
+      {
+        this->Found.resize(2 * (this->NumberFound + block.Balls.size()));
+      }
+      Id* const found = this->Found.data();
+      std::size_t count = this->NumberFound;
       for (std::size_t k = 0; k < block.Count; ++k)
       {
-        GuardedBall& ball = this->Items[static_cast<std::size_t>(block.Balls[k])];
-        if (ball.LastVisit != number)
-        {
-          ball.LastVisit = number;
-          visit(block.Balls[k], ball);
-        }
+        Id& last = this->LastVisits[static_cast<std::size_t>(block.Balls[k])];
+        found[count] = block.Balls[k];
+        count += last != number ? 1 : 0;
+        last = number;
       }
+      this->NumberFound = count;
+    }
+  }
+
+  template <typename Visit>
+  void VisitFound(const GuardedBall& ball, const Visit& visit)
+  {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < this->NumberFound; ++k)
+    {
+      const Id id = this->Found[k];
+      const GuardedBall& other = this->At(id);
+      const Point3 way = other.Center - ball.Center;
+      const double reach = ball.Radius + other.Radius;
+      this->Found[count] = id;
+      count += Dot(way, way) < reach * reach ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      visit(this->Found[k], this->At(this->Found[k]));
     }
   }
 
@@ -250,10 +278,13 @@ private:
 
   Cube Root;
   std::vector<GuardedBall> Items;
+  std::vector<Id> LastVisits;     ///< of balls: the number of the last visit that came there
   std::vector<Id> Nodes{ ~0 };    ///< the first of eight children, or a leaf: ~ its first block
   std::vector<Block> Blocks{ 1 }; ///< the first one stands for none
   std::vector<Cube> Front;        ///< of the walk
   std::vector<Id> Moved;
+  std::vector<Id> Found; ///< by a visit, then anything
+  std::size_t NumberFound = 0;
 };
 
 } // namespace biting

@@ -133,7 +133,7 @@ private:
 
   static GuardedBall Bite(const Point3& center, double radius, double guard, Id frame)
   {
-    return { center, frame == NoId ? radius : radius / HalfSideShare, guard, frame, NoId };
+    return { center, frame == NoId ? radius : radius / HalfSideShare, guard, frame };
   }
 
   void EmptyQueue()

@@ -7,8 +7,9 @@
 #include "BallTree.h"
 #include "InteriorBites.h"
 
-#include <algorithm> // for sort
+#include <algorithm> // for find_if, sort
 #include <cmath>     // for sqrt
+#include <cstddef>   // for indices
 #include <vector>    // for the arrays
 
 namespace biting
@@ -43,13 +44,12 @@ public:
     this->IsHidden = false;
   }
 
-  /// Adds the circle in which another ball meets the sphere.
+  /// Adds the circle in which another ball, which meets this one, meets the sphere.
   void Add(Id id, const GuardedBall& other)
   {
     const Point3 way = other.Center - this->Own.Center;
     const double way2 = Dot(way, way);
-    const double reach = this->Own.Radius + other.Radius;
-    if (!(way2 < reach * reach) || !(way2 > 0.0))
+    if (!(way2 > 0.0))
     {
       return;
     }
@@ -70,20 +70,15 @@ public:
   template <typename IsParent, typename Visit>
   void Find(const IsParent& isParent, const Visit& visit)
   {
-    // Large guards first: they hide most places.
-    std::sort(this->Circles.begin(), this->Circles.end(),
-      [](const Circle& a, const Circle& b)
-      { return a.Guard < b.Guard || (a.Guard == b.Guard && a.Ball < b.Ball); });
+    this->SortCircles();
+    this->Hider = 0;
     this->Parents.clear();
     for (const Circle& circle : this->Circles)
     {
       if (!this->IsHidden && isParent(circle.Ball) && !this->IsGuarded(circle))
       {
+        this->MeetParents(circle, visit);
         this->Parents.push_back(circle);
-        for (std::size_t k = 0; k + 1 < this->Parents.size(); ++k)
-        {
-          this->Meet(this->Parents.back(), this->Parents[k], visit);
-        }
       }
     }
   }
@@ -99,29 +94,62 @@ private:
     Id Ball;
   };
 
+  /// Large guards first: they hide most places.
+  void SortCircles()
+  {
+    this->Order.clear();
+    for (const Circle& circle : this->Circles)
+    {
+      this->Order.push_back({ circle.Guard, circle.Ball, this->Order.size() });
+    }
+    std::sort(this->Order.begin(), this->Order.end(),
+      [](const Key& a, const Key& b)
+      { return a.Guard < b.Guard || (a.Guard == b.Guard && a.Ball < b.Ball); });
+    this->Parents.clear();
+    for (const Key& key : this->Order)
+    {
+      this->Parents.push_back(this->Circles[key.Place]);
+    }
+    this->Circles.swap(this->Parents);
+  }
+
   static double SineOf(double cosine) { return std::sqrt(std::max(0.0, 1.0 - cosine * cosine)); }
 
+  /// The meetings of a circle with the parents. Step by step for all, so that the processor need
+  /// not wait for roots and quotients.
   template <typename Visit>
-  void Meet(const Circle& a, const Circle& b, const Visit& visit)
+  void MeetParents(const Circle& a, const Visit& visit)
   {
-    const double cosine = Dot(a.Way, b.Way);
-    const double rest = 1.0 - cosine * cosine;
-    const double rise2 =
-      rest - a.Height * a.Height - b.Height * b.Height + 2.0 * cosine * a.Height * b.Height;
     constexpr double LeastRest = 1e-12; // of parallel planes
-    if (!(rise2 >= 0.0) || rest < LeastRest)
+    this->Pairs.resize(this->Parents.size());
+    std::size_t count = 0;
+    for (const Circle& b : this->Parents)
     {
-      return;
+      const double cosine = Dot(a.Way, b.Way);
+      const double rest = 1.0 - cosine * cosine;
+      const double rise2 =
+        rest - a.Height * a.Height - b.Height * b.Height + 2.0 * cosine * a.Height * b.Height;
+      this->Pairs[count] = { &b, cosine, rest, rise2, {}, {} };
+      count += rise2 >= 0.0 && rest >= LeastRest ? 1 : 0;
     }
-    const double scale = 1.0 / rest;
-    const Point3 foot = scale * (a.Height - cosine * b.Height) * a.Way +
-      scale * (b.Height - cosine * a.Height) * b.Way;
-    const Point3 rise = scale * std::sqrt(rise2) * Cross(a.Way, b.Way);
-    for (const Point3& place : { foot + rise, foot - rise })
+    for (std::size_t k = 0; k < count; ++k)
     {
-      if (!this->IsGuarded(place))
+      Pair& pair = this->Pairs[k];
+      const Circle& b = *pair.Other;
+      const double scale = 1.0 / pair.Rest;
+      pair.Foot = scale * (a.Height - pair.Cosine * b.Height) * a.Way +
+        scale * (b.Height - pair.Cosine * a.Height) * b.Way;
+      pair.Rise = scale * std::sqrt(pair.Rise2) * Cross(a.Way, b.Way);
+    }
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const Pair& pair = this->Pairs[k];
+      for (const Point3& place : { pair.Foot + pair.Rise, pair.Foot - pair.Rise })
       {
-        visit(this->Own.Center + this->Own.Radius * place, a.Ball, b.Ball);
+        if (!this->IsGuarded(place))
+        {
+          visit(this->Own.Center + this->Own.Radius * place, a.Ball, pair.Other->Ball);
+        }
       }
     }
   }
@@ -145,21 +173,44 @@ private:
     return false;
   }
 
-  bool IsGuarded(const Point3& place) const
+  /// What hid the last place often hides the next.
+  bool IsGuarded(const Point3& place)
   {
-    for (const Circle& other : this->Circles)
+    const auto isIn = [&place](const Circle& other) { return Dot(place, other.Way) > other.Guard; };
+    if (isIn(this->Circles[this->Hider]))
     {
-      if (Dot(place, other.Way) > other.Guard)
-      {
-        return true;
-      }
+      return true;
     }
-    return false;
+    const auto hider = std::find_if(this->Circles.begin(), this->Circles.end(), isIn);
+    const bool isFound = hider != this->Circles.end();
+    this->Hider = isFound ? static_cast<std::size_t>(hider - this->Circles.begin()) : this->Hider;
+    return isFound;
   }
 
+  struct Key
+  {
+    double Guard;
+    Id Ball;
+    std::size_t Place; ///< in Circles
+  };
+
+  /// Of circles whose planes meet inside the sphere.
+  struct Pair
+  {
+    const Circle* Other;
+    double Cosine; ///< of the angle between the ways
+    double Rest;   ///< 1 - Cosine^2
+    double Rise2;
+    Point3 Foot;
+    Point3 Rise;
+  };
+
   GuardedBall Own;
+  std::vector<Pair> Pairs;
   std::vector<Circle> Circles;
+  std::vector<Key> Order;
   std::vector<Circle> Parents; ///< the circles that lie in no guard
+  std::size_t Hider = 0;       ///< the circle whose guard hid the last place
   bool IsHidden = false;       ///< another ball contains the sphere
 };
 

@@ -3,11 +3,12 @@
 
 #include "BodyCells.h"
 
-#include "../../Base/DisjointSets.h"
+#include "../Finishing/BodyRelaxation.h"
 #include "FacetTable.h"
 
 #include <array>   // for corners
 #include <cstdint> // for marks
+#include <utility> // for move
 
 namespace biting
 {
@@ -18,46 +19,33 @@ namespace
 class CellLabelling
 {
 public:
-  CellLabelling(const SpaceTriangulation& triangulation, const std::vector<Id>& facets,
-    const std::vector<TriangleSides>& sides, std::size_t boundaryPoints)
+  CellLabelling(SpaceTriangulation& triangulation, const std::vector<Id>& facets,
+    const std::vector<TriangleSides>& sides, std::size_t boundaryPoints, Pulse& pulse)
     : Mesh(triangulation.Mesh)
-    , Order(triangulation.Order)
     , Sides(sides)
     , BoundaryPoints(static_cast<Id>(boundaryPoints))
     , Facets(facets, boundaryPoints)
-    , Seen(sides.size(), 0)
-    , Parts(At(this->Mesh.NumberOfSlots()))
-    , Labels(At(this->Mesh.NumberOfSlots()), NoId)
+    , Beats(pulse)
+    , Parts(At(this->Mesh.NumberOfSlots()), NoId)
   {
+    for (Id& corner : this->Mesh.Corners)
+    {
+      corner = corner < 0 ? corner : triangulation.Order[At(corner)];
+    }
+    ReleaseInSteps(
+      pulse, triangulation.Order, this->Mesh.Points, this->Mesh.Weights, this->Mesh.VertexCells);
   }
 
-  BodyCells Run(Pulse& pulse)
+  BodyCells Run()
   {
     BodyCells result;
-    this->JoinCells(pulse);
-    for (const Wall& wall : this->Walls)
+    this->FindWalls();
+    this->FindParts();
+    this->LabelParts(result);
+    if (result.Lost.empty() && !this->Beats.HasStopped())
     {
-      Id& label = this->Labels[At(this->Parts.SetOf(wall.Cell))];
-      const Id own = this->Sides[At(wall.Facet)][wall.Place];
-      label = label == NoId ? own : label;
-      this->Seen[At(wall.Facet)] |= static_cast<std::uint8_t>(1u << wall.Place);
-      if (own != label)
-      {
-        result.Lost.push_back(wall.Facet);
-      }
+      this->TakeCells(result);
     }
-    // Where facets are missing parts of space run into each other: these are what is wrong.
-    constexpr std::uint8_t Both = 3;
-    std::vector<Id> missing;
-    for (std::size_t facet = 0; facet < this->Seen.size(); ++facet)
-    {
-      if (this->Seen[facet] != Both)
-      {
-        missing.push_back(static_cast<Id>(facet));
-      }
-    }
-    result.Lost = missing.empty() ? result.Lost : missing;
-    this->TakeCells(result);
     return result;
   }
 
@@ -70,90 +58,142 @@ private:
     std::size_t Place; ///< 0: the cell is behind it, 1: in front
   };
 
-  void JoinCells(Pulse& pulse)
+  /// Their twins become codes.
+  void FindWalls()
   {
-    for (Id side = 0; side < 4 * this->Mesh.NumberOfSlots() && pulse.Beat(1); ++side)
+    const auto isOfBoundary = [this](Id corner)
+    { return corner >= 0 && corner < this->BoundaryPoints; };
+    for (Id side = 0; side < 4 * this->Mesh.NumberOfSlots() && this->Beats.Beat(1); ++side)
     {
-      const Id cell = TetMesh::CellOf(side);
-      if (this->Mesh.IsFree(cell))
+      const std::array<Id, 3> own{ this->Mesh.FacetCorner(side, 0), this->Mesh.FacetCorner(side, 1),
+        this->Mesh.FacetCorner(side, 2) };
+      if (!isOfBoundary(own[0]) || !isOfBoundary(own[1]) || !isOfBoundary(own[2]) ||
+        this->Mesh.IsFree(TetMesh::CellOf(side)))
       {
         continue;
       }
-      const std::array<Id, 3> corners = this->CornersOf(side);
-      const Id facet = this->FacetOf(corners);
-      if (facet == NoId)
-      {
-        this->Parts.Unite(cell, TetMesh::CellOf(this->Mesh.Twins[At(side)]));
-      }
-      else
+      const std::array<Id, 3> corners = LowestFirst(own[0], own[1], own[2]);
+      const Id facet = this->Facets.Find(corners);
+      if (facet != NoId)
       {
         // The corners of a side are oriented away from its cell.
-        this->Walls.push_back(
-          { cell, facet, this->Facets.CornersOf(facet) == corners ? std::size_t{ 0 } : 1 });
+        const bool isBehind = this->Facets.CornersOf(facet) == corners;
+        this->Walls.push_back({ TetMesh::CellOf(side), facet, std::size_t{ isBehind ? 0u : 1u } });
+        this->Mesh.Twins[At(side)] = RelaxedBody::CodeOf(facet);
       }
     }
   }
 
-  std::array<Id, 3> CornersOf(Id side) const
+  /// Of cells that no wall divides.
+  void FindParts()
   {
-    std::array<Id, 3> points{};
-    for (int k = 0; k < 3; ++k)
+    std::vector<Id> pending;
+    for (Id first = 0; first < this->Mesh.NumberOfSlots(); ++first)
     {
-      const Id vertex = this->Mesh.FacetCorner(side, k);
-      points[At(k)] = vertex == NoId ? NoId : this->Order[At(vertex)];
+      if (this->Parts[At(first)] != NoId || this->Mesh.IsFree(first))
+      {
+        continue;
+      }
+      const auto part = static_cast<Id>(this->Labels.size());
+      this->Labels.push_back(NoId);
+      const auto add = [this, part, &pending](Id cell)
+      {
+        if (this->Parts[At(cell)] == NoId)
+        {
+          this->Parts[At(cell)] = part;
+          pending.push_back(cell);
+        }
+      };
+      add(first);
+      while (!pending.empty() && this->Beats.Beat(4))
+      {
+        const Id cell = pending.back();
+        pending.pop_back();
+        for (Id side = 4 * cell; side < 4 * cell + 4; ++side)
+        {
+          const Id twin = this->Mesh.Twins[At(side)];
+          add(twin < 0 ? cell : TetMesh::CellOf(twin));
+        }
+      }
     }
-    return LowestFirst(points[0], points[1], points[2]);
   }
 
-  Id FacetOf(const std::array<Id, 3>& corners) const
+  /// Finds what is lost, too. Where facets are missing parts of space run into each other: these
+  /// are what is wrong.
+  void LabelParts(BodyCells& result)
   {
-    const bool isOfBoundary = corners[0] != NoId && corners[0] < this->BoundaryPoints &&
-      corners[1] < this->BoundaryPoints && corners[2] < this->BoundaryPoints;
-    return isOfBoundary ? this->Facets.Find(corners) : NoId;
+    constexpr std::uint8_t Both = 3;
+    std::vector<std::uint8_t> seen(this->Sides.size(), 0); // of facets: from behind 1, in front 2
+    for (const Wall& wall : this->Walls)
+    {
+      Id& label = this->Labels[At(this->Parts[At(wall.Cell)])];
+      const Id own = this->Sides[At(wall.Facet)][wall.Place];
+      label = label == NoId ? own : label;
+      seen[At(wall.Facet)] |= static_cast<std::uint8_t>(1u << wall.Place);
+      if (own != label)
+      {
+        result.Lost.push_back(wall.Facet);
+      }
+    }
+    std::vector<Id> missing;
+    for (std::size_t facet = 0; facet < seen.size(); ++facet)
+    {
+      if (seen[facet] != Both)
+      {
+        missing.push_back(static_cast<Id>(facet));
+      }
+    }
+    result.Lost = missing.empty() ? result.Lost : missing;
   }
 
+  /// Those of bodies come first, then the others go.
   void TakeCells(BodyCells& result)
   {
-    const auto labelOf = [this](Id cell)
-    { return this->Mesh.IsTetrahedron(cell) ? this->Labels[At(this->Parts.SetOf(cell))] : 0; };
-    std::size_t count = 0;
-    for (Id cell = 0; cell < this->Mesh.NumberOfSlots(); ++cell)
+    TetMesh& mesh = this->Mesh;
+    for (Id cell = 0; cell < mesh.NumberOfSlots(); ++cell)
     {
-      count += labelOf(cell) > 0 ? 1 : 0;
-    }
-    result.Labels.reserve(count);
-    result.Corners.reserve(4 * count);
-    for (Id cell = 0; cell < this->Mesh.NumberOfSlots(); ++cell)
-    {
-      const Id label = labelOf(cell);
-      for (Id corner = 4 * cell; corner < 4 * cell + 4 && label > 0; ++corner)
-      {
-        result.Corners.push_back(this->Order[At(this->Mesh.Corners[At(corner)])]);
-      }
+      Id& place = this->Parts[At(cell)];
+      const Id label = mesh.IsTetrahedron(cell) ? this->Labels[At(place)] : 0;
+      place = label > 0 ? static_cast<Id>(result.Labels.size()) : NoId;
       if (label > 0)
       {
         result.Labels.push_back(label);
       }
     }
+    for (Id side = 0; side < 4 * mesh.NumberOfSlots(); ++side)
+    {
+      const Id place = this->Parts[At(TetMesh::CellOf(side))];
+      if (place != NoId)
+      {
+        const Id to = 4 * place + (side & 3);
+        const Id twin = mesh.Twins[At(side)];
+        mesh.Corners[At(to)] = mesh.Corners[At(side)];
+        mesh.Twins[At(to)] =
+          twin < 0 ? twin : 4 * this->Parts[At(TetMesh::CellOf(twin))] + (twin & 3);
+      }
+    }
+    mesh.Corners.resize(4 * result.Labels.size());
+    mesh.Twins.resize(4 * result.Labels.size());
+    result.Corners = std::move(mesh.Corners);
+    result.Twins = std::move(mesh.Twins);
   }
 
-  const TetMesh& Mesh;
-  const std::vector<Id>& Order;
+  TetMesh& Mesh; ///< of points, not of vertices
   const std::vector<TriangleSides>& Sides;
   Id BoundaryPoints;
   FacetTable Facets;
-  std::vector<std::uint8_t> Seen; ///< of facets: from behind 1, from the front 2
+  Pulse& Beats;
   std::vector<Wall> Walls;
-  DisjointSets Parts;     ///< of cells that no wall divides
+  std::vector<Id> Parts;  ///< of cells: their part; then their place among those of bodies
   std::vector<Id> Labels; ///< of parts
 };
 
 } // namespace
 
-BodyCells LabelCells(const SpaceTriangulation& triangulation, const std::vector<Id>& facets,
+BodyCells LabelCells(SpaceTriangulation triangulation, const std::vector<Id>& facets,
   const std::vector<TriangleSides>& sides, std::size_t boundaryPoints, Pulse& pulse)
 {
-  return CellLabelling(triangulation, facets, sides, boundaryPoints).Run(pulse);
+  return CellLabelling(triangulation, facets, sides, boundaryPoints, pulse).Run();
 }
 
 } // namespace biting

@@ -9,9 +9,10 @@
 #include "CertifiedSurface.h"
 #include "FacetTable.h"
 
-#include <algorithm> // for max, min, sort
+#include <algorithm> // for find, max, min, sort
 #include <array>     // for corners
 #include <cmath>     // for abs
+#include <cstdint>   // for marks
 #include <utility>   // for move, pairs
 
 namespace biting
@@ -19,20 +20,6 @@ namespace biting
 
 namespace
 {
-
-/// A facet of a tetrahedron as seen from its lowest corner.
-struct TetSide
-{
-  std::array<Id, 3> Corners; ///< the lowest first, away from the tetrahedron
-  Id Tet;
-
-  std::pair<Id, Id> Key() const { return std::minmax(this->Corners[1], this->Corners[2]); }
-
-  bool operator<(const TetSide& other) const
-  {
-    return this->Key() != other.Key() ? this->Key() < other.Key() : this->Tet < other.Tet;
-  }
-};
 
 class BodyChecker
 {
@@ -43,7 +30,6 @@ public:
     , Sides(sides)
     , Body(body)
     , Beats(pulse)
-    , Facets(body.Facets, At(body.NumberOnBoundary))
   {
   }
 
@@ -77,90 +63,75 @@ private:
     return { begin, begin + this->Body.NumberOnBoundary };
   }
 
-  /// The facets of tetrahedra, corner by corner: each is shared by two of one label, or it is a
-  /// facet of the boundary.
+  /// The facets of tetrahedra: each is shared by two of one label, or it is a facet of the
+  /// boundary.
   void CheckSides()
   {
-    const std::vector<Id>& corners = this->Body.Corners;
-    const IdLists tetsAt(this->Body.Points.size(),
-      [&corners](const auto& add)
-      {
-        for (std::size_t corner = 0; corner < corners.size(); ++corner)
-        {
-          add(corners[corner], static_cast<Id>(corner / 4));
-        }
-      });
-    std::vector<TetSide> sides;
-    for (Id vertex = 0; vertex < static_cast<Id>(this->Body.Points.size()); ++vertex)
+    const std::vector<Id>& twins = this->Body.Twins;
+    std::vector<Id> front(this->Verdict.CellsBehind.size(), NoId);
+    std::vector<std::uint8_t> isUsed(this->Body.Points.size(), 0);
+    for (Id side = 0; side < static_cast<Id>(twins.size()) && this->Beats.Beat(1); ++side)
     {
-      sides.clear();
-      for (const Id tet : tetsAt[vertex])
+      isUsed[At(this->Body.Corners[At(side)])] = 1;
+      const Id twin = twins[At(side)];
+      const std::array<Id, 3> own = this->CornersOf(side);
+      if (twin >= 0 && twin < static_cast<Id>(twins.size()))
       {
-        for (const auto& place : TetMesh::FacetCorners)
+        const std::array<Id, 3> other = this->CornersOf(twin);
+        const bool isSame =
+          twins[At(twin)] == side && own[0] == other[0] && own[1] == other[2] && own[2] == other[1];
+        if (!isSame || this->Body.Regions[At(side / 4)] != this->Body.Regions[At(twin / 4)])
         {
-          const Id* own = &corners[4 * At(tet)];
-          const TetSide side{ LowestFirst(own[place[0]], own[place[1]], own[place[2]]), tet };
-          if (side.Corners[0] == vertex)
-          {
-            sides.push_back(side);
-          }
+          this->Refuse(isSame ? "a boundary that is open" : "tetrahedra that do not fit", own[0]);
         }
+        continue;
       }
-      std::sort(sides.begin(), sides.end());
-      this->CheckRuns(sides);
-      if (tetsAt[vertex].Size() == 0)
+      const Id facet = RelaxedBody::CodeOf(twin);
+      if (facet < 0 || facet >= static_cast<Id>(front.size()))
       {
-        this->Refuse("a vertex without tetrahedra", vertex);
+        this->Refuse("a boundary that is open", own[0]);
+        continue;
       }
-      if (!this->Beats.Beat(64))
+      const std::array<Id, 3> given = this->FacetAt(facet);
+      Id& tet = (given == own ? this->Verdict.CellsBehind : front)[At(facet)];
+      const bool isTurned = given[0] == own[0] && given[1] == own[2] && given[2] == own[1];
+      if (tet != NoId || (given != own && !isTurned))
       {
-        return;
+        this->Refuse("a facet of too many tetrahedra", own[0]);
       }
+      tet = side / 4;
     }
-    for (std::size_t facet = 0; facet < this->Verdict.CellsBehind.size(); ++facet)
+    this->CheckFacets(front);
+    const auto unused = std::find(isUsed.begin(), isUsed.end(), 0);
+    if (unused != isUsed.end())
     {
-      if (this->Verdict.CellsBehind[facet] == NoId)
-      {
-        this->Refuse("a facet without tetrahedra", this->Body.Facets[3 * facet]);
-      }
+      this->Refuse("a vertex without tetrahedra", static_cast<Id>(unused - isUsed.begin()));
     }
   }
 
-  void CheckRuns(const std::vector<TetSide>& sides)
+  std::array<Id, 3> CornersOf(Id side) const
   {
-    std::size_t end = 0;
-    for (std::size_t begin = 0; begin < sides.size(); begin = end)
+    const Id* own = &this->Body.Corners[4 * At(side / 4)];
+    const auto& place = TetMesh::FacetCorners[side % 4];
+    return LowestFirst(own[place[0]], own[place[1]], own[place[2]]);
+  }
+
+  std::array<Id, 3> FacetAt(Id facet) const
+  {
+    const Id* corners = &this->Body.Facets[3 * At(facet)];
+    return LowestFirst(corners[0], corners[1], corners[2]);
+  }
+
+  /// `front`: the tetrahedra in front of facets.
+  void CheckFacets(const std::vector<Id>& front)
+  {
+    for (std::size_t facet = 0; facet < front.size(); ++facet)
     {
-      while (end < sides.size() && sides[end].Key() == sides[begin].Key())
+      const Id behind = this->Verdict.CellsBehind[facet];
+      const Id other = front[facet] == NoId ? 0 : this->Body.Regions[At(front[facet])];
+      if (behind == NoId || !IsBehind(this->Body.Regions[At(behind)], other))
       {
-        ++end;
-      }
-      const std::size_t count = end - begin;
-      if (count > 2 || (count == 2 && sides[begin].Corners == sides[begin + 1].Corners))
-      {
-        this->Refuse("a facet of too many tetrahedra", sides[begin].Corners[0]);
-        return;
-      }
-      const Id label = this->Body.Regions[At(sides[begin].Tet)];
-      const Id other = count == 2 ? this->Body.Regions[At(sides[begin + 1].Tet)] : 0;
-      const std::array<Id, 3>& corners = sides[begin].Corners;
-      const bool isOfBoundary =
-        std::max(corners[1], corners[2]) < this->Body.NumberOnBoundary && label != other;
-      const Id facet = isOfBoundary ? this->Facets.Find(corners) : NoId;
-      if (label != other && facet == NoId)
-      {
-        this->Refuse("a boundary that is open", corners[0]);
-        return;
-      }
-      if (facet != NoId)
-      {
-        const TetSide& behind = sides[begin + (IsBehind(label, other) ? 0 : 1)];
-        if (behind.Corners != this->Facets.CornersOf(facet) ||
-          this->Verdict.CellsBehind[At(facet)] != NoId)
-        {
-          this->Refuse("a facet that is turned", corners[0]);
-        }
-        this->Verdict.CellsBehind[At(facet)] = behind.Tet;
+        this->Refuse("a facet that is turned", this->Body.Facets[3 * facet]);
       }
     }
   }
@@ -240,7 +211,6 @@ private:
   const std::vector<TriangleSides>& Sides;
   const RelaxedBody& Body;
   Pulse& Beats;
-  FacetTable Facets;
   BodyVerdict Verdict;
 };
 

@@ -215,7 +215,7 @@ private:
       }
       if (cells.Lost.empty())
       {
-        this->MakeBody(points, std::move(cells));
+        this->MakeBody(std::move(points), std::move(cells));
         return MayGoOn(this->Problems, pulse);
       }
       if (!this->ClearBalls(cells.Lost))
@@ -236,7 +236,7 @@ private:
       triangulation = TriangulateSpace(points, this->Weights, monitor);
     }
     const SurfaceBoundary& boundary = this->Certified.Boundary;
-    return pulse.Ask() ? LabelCells(triangulation, boundary.Corners, boundary.Sides,
+    return pulse.Ask() ? LabelCells(std::move(triangulation), boundary.Corners, boundary.Sides,
                            At(this->NumberOnBoundary()), pulse)
                        : BodyCells();
   }
@@ -269,7 +269,7 @@ private:
   }
 
   /// Bites inside that no tetrahedron has are no vertices.
-  void MakeBody(const std::vector<Point3>& points, BodyCells cells)
+  void MakeBody(std::vector<Point3> points, BodyCells cells)
   {
     const SurfaceBites& bites = this->Certified.Bites;
     RelaxedBody& body = this->Body;
@@ -279,22 +279,27 @@ private:
     {
       numbers[At(corner)] = 0;
     }
+    body.Sizes.reserve(points.size());
+    this->BiteOrders.reserve(points.size());
     for (std::size_t point = 0; point < points.size(); ++point)
     {
       if (point < onBoundary || numbers[point] != NoId)
       {
-        numbers[point] = static_cast<Id>(body.Points.size());
-        body.Points.push_back(points[point]);
+        numbers[point] = static_cast<Id>(body.Sizes.size());
+        points[body.Sizes.size()] = points[point];
         body.Sizes.push_back(
           point < onBoundary ? bites.Sizes[point] : this->Inside.Sizes[point - onBoundary]);
         this->BiteOrders.push_back(static_cast<Id>(point));
       }
     }
+    points.resize(body.Sizes.size());
+    body.Points = std::move(points);
     for (Id& corner : cells.Corners)
     {
       corner = numbers[At(corner)];
     }
     body.Corners = std::move(cells.Corners);
+    body.Twins = std::move(cells.Twins);
     body.Regions = std::move(cells.Labels);
     body.NumberOnLines = bites.NumberOnLines;
     body.NumberOnBoundary = bites.Size();
@@ -302,6 +307,12 @@ private:
     body.Facets = this->Certified.Boundary.Corners;
     body.PieceEnds = bites.PieceEnds;
     body.FacetTags.assign(body.Facets.size() / 3, 0); // pieces, which stay, bound patches
+    std::vector<double>().swap(this->Weights);
+    std::vector<double>().swap(this->Inside.Sizes);
+    if (!this->Options.Surface.KeepBites)
+    {
+      this->Inside = {};
+    }
   }
 
   bool Relax()

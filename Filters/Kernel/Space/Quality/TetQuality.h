@@ -22,6 +22,7 @@ struct TetView
   const std::vector<Point3>& Points;
   const std::vector<double>& Spacing;
   const std::vector<Id>& Corners;
+  bool HasHistograms = false; ///< whether the lists for them are wanted
 };
 
 /// What it is worth: the sister of MeshQuality. Judges only.
@@ -61,10 +62,6 @@ std::array<double, 6> DihedralAngles(const std::array<Point3, 4>& tetrahedron);
 
 /// Of the sign that Orient3D has.
 double VolumeOf(const std::array<Point3, 4>& tetrahedron);
-
-/// Infinite where the volume is 0, both.
-double RadiusEdgeRatio(const std::array<Point3, 4>& tetrahedron);
-double AspectRatio(const std::array<Point3, 4>& tetrahedron);
 
 } // namespace biting
 

@@ -163,6 +163,7 @@ private:
   {
     const GroundPatches patches(this->Ground);
     std::map<Facet, Id> open; // with one cell up to now: its slot
+    this->Body.Twins.assign(this->Body.Corners.size(), NoId);
     for (Id slot = 0; slot < static_cast<Id>(this->Body.Corners.size()); ++slot)
     {
       const Facet corners = this->FacetAt(slot);
@@ -173,15 +174,17 @@ private:
         open.erase(place);
         const Id regions[2] = { this->Body.Regions[At(slot / 4)],
           this->Body.Regions[At(other / 4)] };
+        this->Body.Twins[At(slot)] = other;
+        this->Body.Twins[At(other)] = slot;
         if (regions[0] != regions[1])
         {
-          this->AddFacet(patches, this->FacetAt(regions[0] < regions[1] ? slot : other));
+          this->AddFacet(patches, regions[0] < regions[1] ? slot : other);
         }
       }
     }
     for (const auto& [corners, slot] : open)
     {
-      this->AddFacet(patches, this->FacetAt(slot));
+      this->AddFacet(patches, slot);
     }
   }
 
@@ -193,8 +196,15 @@ private:
     return { corner(0), corner(1), corner(2) };
   }
 
-  void AddFacet(const GroundPatches& patches, const Facet& facet)
+  void AddFacet(const GroundPatches& patches, Id slot)
   {
+    const Facet facet = this->FacetAt(slot);
+    const Id code = RelaxedBody::CodeOf(static_cast<Id>(this->Body.FacetTags.size()));
+    if (this->Body.Twins[At(slot)] != NoId)
+    {
+      this->Body.Twins[At(this->Body.Twins[At(slot)])] = code;
+    }
+    this->Body.Twins[At(slot)] = code;
     Point3 middle{};
     for (const Id corner : facet)
     {

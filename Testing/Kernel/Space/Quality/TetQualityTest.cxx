@@ -36,8 +36,8 @@ TEST(TetQuality, IsTheSameForEitherOrientation)
   const std::vector<Point3> points{ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.2, 1.1, 0.0 },
     { 0.3, 0.2, 0.7 }, { 0.3, 0.2, -0.9 } };
   const std::vector<double> spacing{ 1.0, 1.0, 1.0, 0.5, 2.0 };
-  const TetQuality a = MeasureTetrahedra({ points, spacing, { 0, 1, 2, 3, 0, 2, 1, 4 } });
-  const TetQuality b = MeasureTetrahedra({ points, spacing, { 0, 2, 1, 3, 2, 0, 1, 4 } });
+  const TetQuality a = MeasureTetrahedra({ points, spacing, { 0, 1, 2, 3, 0, 2, 1, 4 }, true });
+  const TetQuality b = MeasureTetrahedra({ points, spacing, { 0, 2, 1, 3, 2, 0, 1, 4 }, true });
   EXPECT_NEAR(a.SmallestDihedralAngle, b.SmallestDihedralAngle, 1e-12);
   EXPECT_NEAR(a.LargestRadiusEdgeRatio, b.LargestRadiusEdgeRatio, 1e-12);
   EXPECT_EQ(a.RelativeLengths, b.RelativeLengths);
