@@ -346,7 +346,8 @@ private:
     if (MayGoOn(this->Problems, pulse) && (!verdict.What.empty() || !whole.IsSame))
     {
       const bool isOwn = !verdict.What.empty();
-      this->Refuse(isOwn || !whole.IsCoarse ? ProblemCode::CheckFailed : ProblemCode::TooThin,
+      const bool isCoarse = isOwn ? verdict.IsCoarse : whole.IsCoarse;
+      this->Refuse(isCoarse ? ProblemCode::TooThin : ProblemCode::CheckFailed,
         isOwn ? verdict.Place : whole.Place, isOwn ? verdict.What : whole.What);
     }
     boundary.Spacing.assign(
