@@ -5,9 +5,12 @@
 
 #include "Predicates/Predicates3.h"
 
+#include "Testing/Kernel/Support/TestThreads.h"
+
 #include <algorithm> // for all_of, binary_search, count, min, remove_if, rotate, sort
 #include <array>     // for facets
 #include <cmath>     // for angles
+#include <numeric>   // for iota
 #include <utility>   // for edges
 
 namespace biting
@@ -53,6 +56,18 @@ double Volume(const std::vector<Point3>& points, const std::vector<Id>& corners,
   return volume / 6.0;
 }
 
+std::string NameOf(ProblemCode code)
+{
+  const std::array<const char*, 6> shapes = { "open edges", "crowded edges", "pinches", "folds",
+    "crossings", "one side" };
+  const int shape = static_cast<int>(code) - static_cast<int>(ProblemCode::OpenEdges);
+  return code == ProblemCode::TooThin      ? "too thin"
+    : code == ProblemCode::TooSharp        ? "too sharp"
+    : code == ProblemCode::TooManyVertices ? "too many"
+    : shape >= 0 && shape < 6              ? shapes[static_cast<std::size_t>(shape)]
+                                           : "code-" + std::to_string(static_cast<int>(code));
+}
+
 /// What errors say; a place for each, and no failed check.
 std::string TextOf(const ProblemList& problems, std::string& violation)
 {
@@ -64,7 +79,7 @@ std::string TextOf(const ProblemList& problems, std::string& violation)
       continue;
     }
     const Problem& first = group.First.front();
-    text += "code " + std::to_string(static_cast<int>(group.Code)) + " " + first.Detail + "; ";
+    text += NameOf(group.Code) + " " + first.Detail + "; ";
     if (!AreFinite({ first.Place }))
     {
       violation = "an error without a place: " + text;
@@ -78,46 +93,214 @@ std::string TextOf(const ProblemList& problems, std::string& violation)
   return text;
 }
 
-/// Of an input without edges that are open or have more than two triangles.
+/// Numbers of vertices - edges + triangles of the parts, ascending; edges with one triangle and
+/// with more than two.
+struct Topology
+{
+  std::vector<int> EulerNumbers;
+  std::size_t Borders = 0;
+  std::size_t Crowded = 0;
+  bool IsOriented = true; ///< each edge of two triangles is there both ways
+};
+
+Topology TopologyOf(std::size_t size, const std::vector<Id>& corners)
+{
+  std::vector<Id> parts(size);
+  std::iota(parts.begin(), parts.end(), 0);
+  const auto partOf = [&parts](Id vertex)
+  {
+    while (parts[At(vertex)] != vertex)
+    {
+      vertex = parts[At(vertex)] = parts[At(parts[At(vertex)])];
+    }
+    return vertex;
+  };
+  std::vector<std::array<Id, 3>> edges;
+  edges.reserve(corners.size());
+  for (std::size_t slot = 0; slot < corners.size(); ++slot)
+  {
+    const Id a = corners[slot];
+    const Id b = corners[slot % 3 == 2 ? slot - 2 : slot + 1];
+    edges.push_back({ std::min(a, b), std::max(a, b), a < b ? 0 : 1 });
+    parts[At(partOf(a))] = partOf(b);
+  }
+  Topology topology;
+  std::vector<int> numbers(size, 0);
+  std::vector<bool> isCounted(size, false);
+  for (std::size_t slot = 0; slot < corners.size(); ++slot)
+  {
+    numbers[At(partOf(corners[slot]))] += (isCounted[At(corners[slot])] ? 0 : 1) + slot % 3 / 2;
+    isCounted[At(corners[slot])] = true;
+  }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t first = 0, end = 0; first < edges.size(); first = end)
+  {
+    while (
+      end < edges.size() && edges[end][0] == edges[first][0] && edges[end][1] == edges[first][1])
+    {
+      ++end;
+    }
+    --numbers[At(partOf(edges[first][0]))];
+    topology.Borders += end - first == 1 ? 1 : 0;
+    topology.Crowded += end - first > 2 ? 1 : 0;
+    topology.IsOriented =
+      topology.IsOriented && (end - first != 2 || edges[first][2] != edges[first + 1][2]);
+  }
+  for (std::size_t vertex = 0; vertex < size; ++vertex)
+  {
+    if (isCounted[vertex] && parts[vertex] == static_cast<Id>(vertex))
+    {
+      topology.EulerNumbers.push_back(numbers[vertex]);
+    }
+  }
+  std::sort(topology.EulerNumbers.begin(), topology.EulerNumbers.end());
+  return topology;
+}
+
+std::string JudgeTopology(const BitingSurface& mesh, const SurfaceMesh& input)
+{
+  const Topology wanted = TopologyOf(input.Points.size(), input.Corners);
+  const Topology topology = TopologyOf(mesh.Points.size(), mesh.Corners);
+  if (topology.EulerNumbers != wanted.EulerNumbers)
+  {
+    std::string text = "Euler numbers";
+    for (const int number : topology.EulerNumbers)
+    {
+      text += " " + std::to_string(number);
+    }
+    text += " for";
+    for (const int number : wanted.EulerNumbers)
+    {
+      text += " " + std::to_string(number);
+    }
+    return text;
+  }
+  if ((topology.Borders > 0) != (wanted.Borders > 0) ||
+    (topology.Crowded > 0) != (wanted.Crowded > 0))
+  {
+    return std::to_string(topology.Borders) + " edges with one triangle and " +
+      std::to_string(topology.Crowded) + " with more than two for " +
+      std::to_string(wanted.Borders) + " and " + std::to_string(wanted.Crowded);
+  }
+  return topology.IsOriented || !wanted.IsOriented || wanted.Crowded > 0
+    ? ""
+    : "triangles are oriented against each other";
+}
+
+/// From p to the triangle.
+double DistanceTo(const std::array<Point3, 3>& triangle, const Point3& p)
+{
+  double nearest = Infinity;
+  const Point3 normal = Cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+  bool isAbove = Length(normal) > 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Point3& a = triangle[k];
+    const Point3 along = triangle[(k + 1) % 3] - a;
+    const double length = Dot(along, along);
+    const double at = length > 0.0 ? std::min(1.0, std::max(0.0, Dot(p - a, along) / length)) : 0.0;
+    nearest = std::min(nearest, Distance(p, a + at * along));
+    isAbove = isAbove && Dot(Cross(normal, along), p - a) >= 0.0;
+  }
+  return isAbove ? std::min(nearest, std::abs(Dot(p - triangle[0], normal)) / Length(normal))
+                 : nearest;
+}
+
+double DistanceTo(
+  const std::vector<Point3>& points, const std::vector<Id>& corners, const Point3& p)
+{
+  double nearest = Infinity;
+  for (std::size_t slot = 0; slot < corners.size(); slot += 3)
+  {
+    nearest = std::min(nearest,
+      DistanceTo(
+        { points[At(corners[slot])], points[At(corners[slot + 1])], points[At(corners[slot + 2])] },
+        p));
+  }
+  return nearest;
+}
+
+/// Of some vertices and middles of one from the other, in f.
+std::string JudgeDistances(
+  const BitingSurface& mesh, const SurfaceMesh& input, double size, bool isCut)
+{
+  constexpr std::size_t Samples = 40;
+  const auto farthest = [](const auto& from, const auto& to)
+  {
+    double most = 0.0;
+    const std::size_t step = 1 + from.Corners.size() / Samples;
+    for (std::size_t slot = 0; slot < from.Corners.size(); slot += step)
+    {
+      const std::size_t first = slot - slot % 3;
+      const Point3& corner = from.Points[At(from.Corners[slot])];
+      const Point3 middle = (1.0 / 3.0) *
+        (from.Points[At(from.Corners[first])] + from.Points[At(from.Corners[first + 1])] +
+          from.Points[At(from.Corners[first + 2])]);
+      most = std::max({ most, DistanceTo(to.Points, to.Corners, corner),
+        DistanceTo(to.Points, to.Corners, middle) });
+    }
+    return most;
+  };
+  const double off = farthest(mesh, input) / size;
+  const double missed = farthest(input, mesh) / size;
+  return off <= (isCut ? 1.0 : 0.5) && missed <= 1.0
+    ? ""
+    : "off by " + std::to_string(off) + " f, missed by " + std::to_string(missed) + " f";
+}
+
+template <typename Value>
+bool AreWithin(const std::vector<Value>& values, std::size_t size, Value low, Value high)
+{
+  return values.size() == size &&
+    std::all_of(values.begin(), values.end(),
+      [low, high](Value value) { return value >= low && value <= high; });
+}
+
+/// Of f as given: f as used. Lines are divided into a whole number of pieces.
+constexpr double MostShare = 2.0;
+
+std::string JudgeArrays(const BitingSurface& mesh, const SurfaceCase& surface)
+{
+  const std::size_t points = mesh.Points.size();
+  const std::size_t triangles = mesh.Corners.size() / 3;
+  const Id cells = static_cast<Id>(surface.Input.Cells.size());
+  const Id originals = static_cast<Id>(surface.Input.Points.size());
+  const double most = MostShare * surface.LargestSize;
+  const bool areWithin = AreWithin(mesh.Spacing, points, 1e-300, most) &&
+    AreWithin(mesh.BiteOrders, points, NoId, 1000000) && mesh.Kinds.size() == points &&
+    AreWithin(mesh.OriginalPoints, points, NoId, originals - 1) &&
+    AreWithin(mesh.Triangles, triangles, Id(0), cells - 1) && mesh.Regions.size() == triangles &&
+    AreWithin(mesh.Deviations, triangles, 0.0, 10.0) &&
+    AreWithin(mesh.EdgeEnds, 2 * mesh.EdgeKinds.size(), Id(0), static_cast<Id>(points) - 1) &&
+    mesh.BiteCenters.size() == mesh.BiteRadii.size();
+  return areWithin ? "" : "arrays have other sizes, or values out of range";
+}
+
 std::string JudgeSurface(
-  const BitingSurface& mesh, const CheckedSurface& checked, const SurfaceCase& surface)
+  const BitingSurface& mesh, const CheckedSurface& checked, const SurfaceCase& surface, bool isCut)
 {
   if (mesh.Corners.empty() || !AreFinite(mesh.Points) ||
     !AreVertices(mesh.Corners, mesh.Points.size()))
   {
     return "no surface, or vertices that are no places, or are unused";
   }
-  std::vector<Edge> edges;
-  for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
-  {
-    edges.push_back({ mesh.Corners[slot], mesh.Corners[slot % 3 == 2 ? slot - 2 : slot + 1] });
-  }
-  std::sort(edges.begin(), edges.end());
   const SurfaceFigures& figures = checked.Figures;
+  const double size = surface.LargestSize;
+  const double volume = Volume(mesh.Points, mesh.Corners, mesh.Points.front());
   const bool isPlain = figures.OpenEdges == 0 && figures.NonManifoldEdges == 0;
-  if (!isPlain)
+  if (isPlain && !(std::abs(volume - figures.Volume) <= 0.5 * size * figures.Area))
   {
-    return {};
+    return "volume " + std::to_string(volume) + " for " + std::to_string(figures.Volume);
   }
-  for (std::size_t k = 0; k < edges.size(); ++k)
+  for (const std::string& wrong : { JudgeArrays(mesh, surface), JudgeTopology(mesh, checked.Mesh),
+         JudgeDistances(mesh, checked.Mesh, size, isCut) })
   {
-    if ((k > 0 && edges[k] == edges[k - 1]) ||
-      !std::binary_search(edges.begin(), edges.end(), Edge{ edges[k][1], edges[k][0] }))
+    if (!wrong.empty())
     {
-      return "the surface is not closed";
+      return wrong;
     }
   }
-  const auto euler = static_cast<std::int64_t>(mesh.Points.size()) -
-    static_cast<std::int64_t>(edges.size() / 2) +
-    static_cast<std::int64_t>(mesh.Corners.size() / 3);
-  if (euler != figures.EulerNumber)
-  {
-    return "Euler number " + std::to_string(euler) + " for " + std::to_string(figures.EulerNumber);
-  }
-  const double volume = Volume(mesh.Points, mesh.Corners, mesh.Points.front());
-  return std::abs(volume - figures.Volume) <= 0.5 * surface.LargestSize * figures.Area
-    ? ""
-    : "volume " + std::to_string(volume) + " for " + std::to_string(figures.Volume);
+  return {};
 }
 
 /// From the lowest corner on, in their orientation.
@@ -215,13 +398,19 @@ double SmallestDihedral(const std::array<Point3, 4>& corners)
 }
 
 std::string JudgeBody(const BitingBody& mesh, const CheckedSurface& checked,
-  const SurfaceCase& surface, double& smallestDihedral)
+  const SurfaceCase& surface, bool isCut, double& smallestDihedral)
 {
   if (mesh.Corners.empty() || !AreFinite(mesh.Points) ||
     !AreVertices(mesh.Corners, mesh.Points.size()) ||
     mesh.Regions.size() * 4 != mesh.Corners.size())
   {
     return "no body, or vertices that are no places, or are unused";
+  }
+  if (!AreWithin(mesh.Spacing, mesh.Points.size(), 1e-300, MostShare * surface.LargestSize) ||
+    mesh.BiteOrders.size() != mesh.Points.size() ||
+    mesh.BoundaryCells.size() * 3 != mesh.Boundary.Corners.size())
+  {
+    return "arrays of the body have other sizes, or values out of range";
   }
   double volume = 0.0;
   for (std::size_t slot = 0; slot < mesh.Corners.size(); slot += 4)
@@ -235,33 +424,92 @@ std::string JudgeBody(const BitingBody& mesh, const CheckedSurface& checked,
     volume += Dot(Cross(at(1) - at(0), at(2) - at(0)), at(3) - at(0)) / 6.0;
     smallestDihedral = std::min(smallestDihedral, SmallestDihedral({ at(0), at(1), at(2), at(3) }));
   }
-  const std::string facets = JudgeFacets(mesh);
+  std::string facets = JudgeFacets(mesh);
   const SurfaceFigures& figures = checked.Figures;
   const bool isPlain =
     figures.OpenEdges == 0 && figures.NonManifoldEdges == 0 && surface.Values.empty();
+  if (isPlain && facets.empty() && surface.Options.MaximumNumberOfBites == 0)
+  {
+    facets = JudgeSurface(mesh.Boundary, checked, surface, isCut);
+  }
   const bool isFilled =
     !isPlain || std::abs(volume - figures.Volume) <= 0.5 * surface.LargestSize * figures.Area;
-  return isFilled || !facets.empty()
+  const bool isAsMade = surface.Volume < 0.0 ||
+    std::abs(volume - surface.Volume) <= 0.5 * surface.LargestSize * figures.Area;
+  return (isFilled && isAsMade) || !facets.empty()
     ? facets
-    : "volume of the body " + std::to_string(volume) + " for " + std::to_string(figures.Volume);
+    : "volume of the body " + std::to_string(volume) + " for " + std::to_string(figures.Volume) +
+      ", made of " + std::to_string(surface.Volume);
+}
+
+bool IsSame(const std::vector<Point3>& a, const std::vector<Point3>& b)
+{
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin());
+}
+
+bool IsSame(const BitingSurface& a, const BitingSurface& b)
+{
+  return IsSame(a.Points, b.Points) && a.Spacing == b.Spacing && a.BiteOrders == b.BiteOrders &&
+    a.Kinds == b.Kinds && a.OriginalPoints == b.OriginalPoints && a.Corners == b.Corners &&
+    a.Triangles == b.Triangles && a.Regions == b.Regions && a.Deviations == b.Deviations &&
+    a.EdgeEnds == b.EdgeEnds && IsSame(a.BiteCenters, b.BiteCenters);
+}
+
+bool IsSame(const BitingBody& a, const BitingBody& b)
+{
+  return IsSame(a.Boundary, b.Boundary) && IsSame(a.Points, b.Points) && a.Spacing == b.Spacing &&
+    a.BiteOrders == b.BiteOrders && a.Corners == b.Corners && a.Regions == b.Regions &&
+    a.BoundaryCells == b.BoundaryCells && IsSame(a.BiteCenters, b.BiteCenters);
+}
+
+/// Meshes, and tells what became of it. `make` takes problems and a monitor, `judge` a mesh and
+/// whether edges were cut off.
+template <typename Make, typename Judge>
+bool RunStage(const Make& make, const Judge& judge, bool isRepeated, BodyOutcome& outcome)
+{
+  ProblemList problems;
+  const auto mesh = make(problems, NoMonitor());
+  outcome.Refusal += TextOf(problems, outcome.Violation);
+  const bool isMeshed = !problems.HasErrors();
+  if (isMeshed)
+  {
+    outcome.Violation += judge(mesh, problems.Has(ProblemCode::LostFeatures));
+  }
+  else if (!mesh.Corners.empty())
+  {
+    outcome.Violation += "a mesh beside an error";
+  }
+  if (isRepeated)
+  {
+    ProblemList again;
+    MonitorWithThreads threads(4);
+    outcome.Violation += IsSame(mesh, make(again, threads)) ? "" : "other bytes of four threads";
+  }
+  return isMeshed;
+}
+
+/// Whether an error of the check leaves it to the mesher.
+bool IsMeshable(const ProblemList& checks)
+{
+  return std::all_of(checks.Groups().begin(), checks.Groups().end(),
+    [](const ProblemGroup& group)
+    {
+      return !IsError(group.Code) || group.Code == ProblemCode::OpenEdges ||
+        group.Code == ProblemCode::NonManifoldEdges;
+    });
 }
 
 } // namespace
 
-BodyOutcome RunSurfaceCase(const SurfaceCase& surface)
+BodyOutcome RunSurfaceCase(const SurfaceCase& surface, bool isRepeated)
 {
+  using Stage = BodyOutcome::Stage;
   BodyOutcome outcome;
   ProblemList checks;
   const CheckedSurface checked = CheckSurface(surface.Input, surface.Check, checks, NoMonitor());
   outcome.Refusal = TextOf(checks, outcome.Violation);
-  bool isMeshable = true;
-  for (const ProblemGroup& group : checks.Groups())
-  {
-    isMeshable = isMeshable &&
-      (!IsError(group.Code) || group.Code == ProblemCode::OpenEdges ||
-        group.Code == ProblemCode::NonManifoldEdges);
-  }
-  if (isMeshable && outcome.Violation.empty())
+  outcome.IsClean = !checks.HasErrors() && checks.Groups().empty();
+  if (IsMeshable(checks) && outcome.Violation.empty())
   {
     BodyMesherOptions options = surface.Options;
     for (const Id cell : checked.Mesh.Cells)
@@ -271,29 +519,25 @@ BodyOutcome RunSurfaceCase(const SurfaceCase& surface)
         options.Surface.Regions.push_back(surface.Values[At(cell)]);
       }
     }
-    ProblemList ofSurface;
-    const BitingSurface mesh = MakeBitingSurface(checked, options.Surface, ofSurface, NoMonitor());
-    outcome.Refusal = TextOf(ofSurface, outcome.Violation);
-    const bool isMeshed = !ofSurface.HasErrors();
-    const std::string wrong = !isMeshed ? "" : JudgeSurface(mesh, checked, surface);
-    ProblemList ofBody;
-    const BitingBody body = MakeBitingBody(checked, options, ofBody, NoMonitor());
-    const std::string refusal = TextOf(ofBody, outcome.Violation);
-    outcome.Refusal += refusal;
-    const bool isFilled = !ofBody.HasErrors();
-    const std::string wrongBody =
-      !isFilled ? "" : JudgeBody(body, checked, surface, outcome.SmallestDihedral);
-    outcome.Violation += wrong + wrongBody;
-    outcome.Reached = isFilled ? BodyOutcome::Stage::Filled
-      : isMeshed               ? BodyOutcome::Stage::Meshed
-                               : BodyOutcome::Stage::Refused;
-    if ((!isMeshed && !mesh.Corners.empty()) || (!isFilled && !body.Corners.empty()))
-    {
-      outcome.Violation = "a mesh beside an error";
-    }
+    outcome.Refusal.clear();
+    const bool isMeshed = surface.IsToMesh &&
+      RunStage([&](ProblemList& problems, Monitor& monitor)
+        { return MakeBitingSurface(checked, options.Surface, problems, monitor); },
+        [&](const BitingSurface& mesh, bool isCut)
+        { return JudgeSurface(mesh, checked, surface, isCut); },
+        isRepeated, outcome);
+    const std::string refusal = std::move(outcome.Refusal);
+    outcome.Refusal = surface.IsToFill ? "" : refusal;
+    const bool isFilled = surface.IsToFill &&
+      RunStage([&](ProblemList& problems, Monitor& monitor)
+        { return MakeBitingBody(checked, options, problems, monitor); },
+        [&](const BitingBody& mesh, bool isCut)
+        { return JudgeBody(mesh, checked, surface, isCut, outcome.SmallestDihedral); },
+        isRepeated, outcome);
+    outcome.Reached = isFilled ? Stage::Filled : isMeshed ? Stage::Meshed : Stage::Refused;
   }
-  if (outcome.Violation.empty() && surface.IsFair &&
-    outcome.Reached != BodyOutcome::Stage::Filled &&
+  const Stage wanted = surface.IsToFill ? Stage::Filled : Stage::Meshed;
+  if (outcome.Violation.empty() && surface.IsFair && outcome.Reached != wanted &&
     outcome.Refusal.find("vertices") == std::string::npos)
   {
     outcome.Violation = "a fair surface is refused: " + outcome.Refusal;

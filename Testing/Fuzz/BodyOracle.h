@@ -24,15 +24,20 @@ struct BodyOutcome
   Stage Reached = Stage::Checked;
   std::string Violation; ///< empty: none
   std::string Refusal;   ///< of the last stage; empty: none
+  bool IsClean = false;  ///< closed, and the check has nothing to say
   double SmallestDihedral = 180.0;
 };
 
 /// Checks the surface, meshes it, fills it. Laws: a mesh or an error, and a place with that; no
-/// error says that the check of the result failed; a fair surface has both meshes. The surface is
-/// closed where the input is, with its Euler number; its volume is off by at most the area times
+/// error says that the check of the result failed; a fair surface has both meshes. Arrays have one
+/// value per item, within their range.
+/// The surface has the parts of the input with their Euler numbers, and edges of one or more than
+/// two triangles only where the input has some; it is within f / 2 of the input, but where sharp
+/// edges were cut off, and the input within f of it. Volumes are off by at most the area times
 /// f / 2. Tetrahedra are positive; each facet has a neighbor or is in the boundary, which is
-/// closed, with the volume as the surface; no vertex is unused.
-BodyOutcome RunSurfaceCase(const SurfaceCase& surface);
+/// closed; no vertex is unused.
+/// `isRepeated`: with four threads, once more, and the same bytes.
+BodyOutcome RunSurfaceCase(const SurfaceCase& surface, bool isRepeated);
 
 } // namespace biting
 

@@ -3,11 +3,12 @@
 
 #include "RandomSurface.h"
 
-#include <algorithm>  // for max, min, swap
+#include <algorithm>  // for find_if, max, min, sort, swap
 #include <array>      // for triangles
 #include <cmath>      // for rings
 #include <functional> // for shapes
 #include <limits>     // for rounding
+#include <utility>    // for pairs
 
 namespace biting
 {
@@ -405,6 +406,250 @@ double Place(FuzzNumbers& numbers, Shape& shape, std::string& words)
   return scale;
 }
 
+/// Two of the six tetrahedra of a cube are neighbors in one part: labels are those of cubes, or of
+/// tetrahedra. Points of the lattice are moved by less than what turns a tetrahedron.
+class Lattice
+{
+public:
+  explicit Lattice(FuzzNumbers& numbers)
+    : Counts{ numbers.Between(1, 3), numbers.Between(1, 3), numbers.Between(1, 3) }
+    , Labels(At(6 * this->Counts[0] * this->Counts[1] * this->Counts[2]))
+  {
+    const double jitter = numbers.OneIn(2) ? 0.15 : 0.0;
+    for (std::size_t k = 0; k < 64; ++k)
+    {
+      const Id id = static_cast<Id>(k);
+      const Point3 corner{ id % 4 + 0.0, id / 4 % 4 + 0.0, id / 16 + 0.0 };
+      const Point3 shift{ numbers.Unit() - 0.5, numbers.Unit() - 0.5, numbers.Unit() - 0.5 };
+      this->Places.push_back(corner + 2.0 * jitter * shift);
+    }
+    const bool areApart = numbers.OneIn(4);
+    const int last = numbers.OneIn(2) ? 1 : 3;
+    for (std::size_t k = 0; k < this->Labels.size(); ++k)
+    {
+      const bool isNew = areApart || k % 6 == 0;
+      this->Labels[k] = !isNew ? this->Labels[k - 1]
+        : numbers.OneIn(3)     ? 0
+                               : numbers.Between(1, last);
+    }
+    this->Labels[0] = 1;
+    this->FindFaces();
+  }
+
+  /// Each body has its own wall; or walls between two are there once.
+  Shape Boundary(bool areTwice) const
+  {
+    Shape shape;
+    shape.Thinnest = 0.0;
+    for (std::size_t k = 0; k < this->Faces.size(); ++k)
+    {
+      const Face& face = this->Faces[k];
+      const bool hasOther = k + 1 < this->Faces.size() && this->Faces[k + 1].Sorted == face.Sorted;
+      const bool isSecond = k > 0 && this->Faces[k - 1].Sorted == face.Sorted;
+      const Id other = hasOther ? this->Faces[k + 1].Label
+        : isSecond              ? this->Faces[k - 1].Label
+                                : 0;
+      if (face.Label != 0 && face.Label != other && (areTwice || face.Label > other))
+      {
+        const auto& [a, b, c] = face.Corners;
+        shape.Add(this->Places[At(a)], this->Places[At(b)], this->Places[At(c)]);
+        shape.Values.back() = face.Label;
+      }
+    }
+    return shape;
+  }
+
+  /// Of what has a label.
+  double Volume() const
+  {
+    double volume = 0.0;
+    for (const Face& face : this->Faces)
+    {
+      const auto& [a, b, c] = face.Corners;
+      const Point3& p = this->Places[At(a)];
+      volume +=
+        face.Label == 0 ? 0.0 : Dot(p, Cross(this->Places[At(b)], this->Places[At(c)])) / 6.0;
+    }
+    return volume;
+  }
+
+private:
+  struct Face
+  {
+    std::array<Id, 3> Sorted;
+    std::array<Id, 3> Corners; ///< from outside
+    Id Label;
+  };
+
+  /// Along the three axes in each order from the lowest corner of a cube to the highest.
+  void FindFaces()
+  {
+    constexpr std::array<std::array<Id, 3>, 6> Ways = { { { 1, 4, 16 }, { 4, 16, 1 }, { 16, 1, 4 },
+      { 4, 1, 16 }, { 1, 16, 4 }, { 16, 4, 1 } } };
+    const std::size_t cubes = this->Labels.size() / 6;
+    for (std::size_t k = 0; k < 6 * cubes; ++k)
+    {
+      const Id cube = static_cast<Id>(k / 6);
+      const Id low = cube % this->Counts[0] + 4 * (cube / this->Counts[0] % this->Counts[1]) +
+        16 * (cube / this->Counts[0] / this->Counts[1]);
+      const std::array<Id, 3>& way = Ways[k % 6];
+      std::array<Id, 4> t = { low, low + way[0], low + way[0] + way[1], low + 21 };
+      if (k % 6 >= 3)
+      {
+        std::swap(t[1], t[2]);
+      }
+      for (const std::array<Id, 3>& corners :
+        { std::array<Id, 3>{ t[1], t[2], t[3] }, std::array<Id, 3>{ t[0], t[3], t[2] },
+          std::array<Id, 3>{ t[0], t[1], t[3] }, std::array<Id, 3>{ t[0], t[2], t[1] } })
+      {
+        std::array<Id, 3> sorted = corners;
+        std::sort(sorted.begin(), sorted.end());
+        this->Faces.push_back({ sorted, corners, this->Labels[k] });
+      }
+    }
+    std::sort(this->Faces.begin(), this->Faces.end(),
+      [](const Face& a, const Face& b)
+      { return a.Sorted < b.Sorted || (a.Sorted == b.Sorted && a.Label < b.Label); });
+  }
+
+  std::array<Id, 3> Counts;
+  std::vector<Id> Labels; ///< of tetrahedra
+  std::vector<Point3> Places;
+  std::vector<Face> Faces;
+};
+
+/// Open ones: a terrain, a pipe, a Moebius strip, pages of a book; some without some triangles.
+Shape Patch(FuzzNumbers& numbers, std::string& words)
+{
+  const char* const names[] = { "terrain ", "pipe ", "strip ", "book " };
+  const int kind = numbers.Below(4);
+  words += names[kind];
+  const int rows = numbers.Between(1, 5);
+  const int columns = kind == 3 ? numbers.Between(3, 5) : numbers.Between(3, 14);
+  const double wave = numbers.OneIn(3) ? 0.0 : 0.3 * numbers.Unit();
+  const auto at = [=](int i, int j)
+  {
+    if (kind == 2 && j == columns) // the other way round
+    {
+      i = rows - i;
+    }
+    const double x = static_cast<double>(i) / rows;
+    const double around = 2.0 * Pi * (kind == 0 || kind == 3 ? j : j % columns) / columns;
+    const double radius = 0.5 + (kind == 2 ? 0.3 * (x - 0.5) * std::cos(around / 2.0) : wave * x);
+    return kind == 0 ? Point3{ x, around / 6.0, wave * std::sin(5.0 * x) * std::cos(around) }
+      : kind == 3    ? Point3{ x * std::cos(1.1 * j), x * std::sin(1.1 * j), 0.0 }
+                     : Point3{ radius * std::cos(around), radius * std::sin(around),
+                      kind == 1 ? x : 0.3 * (x - 0.5) * std::sin(around / 2.0) };
+  };
+  Shape shape;
+  const Point3 up{ 0.0, 0.0, 1.0 };
+  for (int i = 0; i < rows; ++i)
+  {
+    for (int j = 0; j < columns; ++j)
+    {
+      if (kind == 3) // pages meet in one line
+      {
+        shape.AddQuad(at(i, j), at(i + 1, j), at(i + 1, j) + up, at(i, j) + up);
+      }
+      else
+      {
+        shape.Add(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+        shape.Add(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+    }
+  }
+  for (int k = numbers.OneIn(3) ? numbers.Between(1, 4) : 0; k > 0; --k)
+  {
+    shape.Triangles[At(numbers.Below(static_cast<int>(shape.Triangles.size())))] =
+      shape.Triangles.back();
+    shape.Triangles.pop_back();
+    shape.Values.pop_back();
+  }
+  shape.Thinnest = 0.0;
+  return shape;
+}
+
+/// Values of triangles by where they are, or by chance.
+void Paint(FuzzNumbers& numbers, Shape& shape)
+{
+  const bool isByChance = numbers.OneIn(5);
+  const Point3 way{ numbers.Unit() - 0.5, numbers.Unit() - 0.5, numbers.Unit() - 0.5 };
+  const double period = 0.2 + numbers.Unit();
+  for (std::size_t t = 0; t < shape.Triangles.size(); ++t)
+  {
+    const double along = Dot(way, shape.Triangles[t][0] + shape.Triangles[t][1]);
+    shape.Values[t] =
+      isByChance ? numbers.Below(3) : static_cast<Id>(std::floor(along / period)) & 1;
+  }
+}
+
+/// What stands for a small surface: few triangles.
+Shape SmallShape(FuzzNumbers& numbers, SurfaceSort sort, SurfaceCase& made)
+{
+  Shape shape;
+  if (sort == SurfaceSort::Open && numbers.OneIn(3))
+  {
+    shape = Patch(numbers, made.Words);
+  }
+  else if (numbers.OneIn(3))
+  {
+    made.Words += "lattice ";
+    const Lattice lattice(numbers);
+    shape = lattice.Boundary(numbers.OneIn(2));
+    const bool isOne = std::find_if(shape.Values.begin(), shape.Values.end(),
+                         [](Id value) { return value > 1; }) == shape.Values.end();
+    made.Volume = isOne ? lattice.Volume() : -1.0;
+  }
+  else
+  {
+    shape = Composed(numbers, made.Words);
+  }
+  if (numbers.OneIn(12))
+  {
+    made.Words += "twin ";
+    const double near = numbers.Power(-24, -2);
+    const Shape twin = Moved(
+      shape, { near, near, near * numbers.Below(2) }, numbers.OneIn(2) ? 1.0 : 1.0 - 3.0 * near);
+    shape.Add(twin, numbers.Below(3));
+    shape.Thinnest = 0.0;
+    made.Volume = -1.0;
+  }
+  if (numbers.OneIn(8))
+  {
+    made.Words += "rough ";
+    const double amplitude = numbers.Power(-12, -4);
+    const double phase = numbers.Unit();
+    shape.ForPoints(
+      [=](const Point3& p)
+      {
+        const double way = 91.7 * p.X + 57.3 * p.Y + 23.1 * p.Z + phase;
+        return p + amplitude * Point3{ std::sin(way), std::sin(3.3 * way), std::sin(7.7 * way) };
+      });
+    shape.Sharpest = 0.0;
+    made.Volume = -1.0;
+  }
+  if (numbers.OneIn(8))
+  {
+    made.Words += "flat ";
+    const double factor = numbers.Power(-8, 0);
+    shape.ForPoints([=](const Point3& p) { return Point3{ p.X, p.Y, factor * p.Z }; });
+    shape.Sharpest = 0.0;
+    made.Volume *= factor;
+  }
+  return shape;
+}
+
+/// f for that many vertices on the surface, without caps: sqrt(2 / sqrt(3) area / vertices).
+double SizeFor(double vertices, const Shape& shape)
+{
+  double area = 0.0;
+  for (const Triangle& triangle : shape.Triangles)
+  {
+    area += 0.5 * Length(Cross(triangle[1] - triangle[0], triangle[2] - triangle[0]));
+  }
+  return std::sqrt(1.155 * area / vertices);
+}
+
 void ChooseOptions(FuzzNumbers& numbers, double size, const Box3& box, SurfaceCase& made)
 {
   SurfaceMesherOptions& options = made.Options.Surface;
@@ -436,17 +681,27 @@ void ChooseOptions(FuzzNumbers& numbers, double size, const Box3& box, SurfaceCa
 
 } // namespace
 
-SurfaceCase MakeSurfaceCase(FuzzNumbers& numbers)
+SurfaceCase MakeSurfaceCase(FuzzNumbers& numbers, SurfaceSort sort)
 {
   SurfaceCase made;
-  Shape shape = Composed(numbers, made.Words);
-  const double size = 1.0 / (2.0 + (numbers.OneIn(8) ? 10.0 : 4.0) * numbers.Unit());
+  const bool isLarge = sort == SurfaceSort::Large || numbers.OneIn(50);
+  Shape shape = isLarge ? Composed(numbers, made.Words) : SmallShape(numbers, sort, made);
+  const double size = isLarge ? 1.0 / (2.0 + (numbers.OneIn(8) ? 10.0 : 4.0) * numbers.Unit())
+                              : SizeFor(std::exp2(3.5 + 3.5 * numbers.Unit()), shape);
   made.IsFair = shape.Thinnest >= 3.0 * size && shape.Sharpest >= 60.0;
   if (numbers.OneIn(3))
   {
     made.IsFair = Spoil(numbers, shape, made.Words) && made.IsFair;
+    made.Volume = -1.0;
+  }
+  if (!isLarge && sort == SurfaceSort::Open && numbers.OneIn(2))
+  {
+    made.Words += "painted ";
+    Paint(numbers, shape);
+    made.IsFair = false;
   }
   const double scale = Place(numbers, shape, made.Words);
+  made.Volume *= scale * scale * scale;
   made.Input = MeshOf(shape);
   const double largest =
     std::max({ 1e-300, std::abs(made.Input.Bounds().Low.X), std::abs(made.Input.Bounds().High.X),
@@ -461,6 +716,7 @@ SurfaceCase MakeSurfaceCase(FuzzNumbers& numbers)
     const double jitter = scale * numbers.Power(-48, -6);
     made.Words += "jittered ";
     made.IsFair = false;
+    made.Volume = -1.0;
     for (Point3& point : made.Input.Points)
     {
       const Point3 shift{ numbers.Unit() - 0.5, numbers.Unit() - 0.5, numbers.Unit() - 0.5 };
@@ -472,7 +728,14 @@ SurfaceCase MakeSurfaceCase(FuzzNumbers& numbers)
   made.IsFair = made.IsFair && rounding < 1e-4 * scale * size;
   made.Check.Rounding = { rounding, rounding, rounding };
   made.Check.Noise = 2.0 * rounding;
+  made.Volume = rounding < 1e-4 * scale * size ? made.Volume : -1.0;
   ChooseOptions(numbers, scale * size, made.Input.Bounds(), made);
+  if (!isLarge)
+  {
+    made.Options.Surface.MaximumNumberOfVertices = 800;
+  }
+  made.IsToFill = sort != SurfaceSort::Open;
+  made.IsToMesh = !made.IsToFill || isLarge || numbers.OneIn(4); // bodies have a surface, too
   if (numbers.OneIn(2))
   {
     made.Values = shape.Values;

@@ -160,6 +160,8 @@ WholeVerdict CheckWhole(const CheckedSurface& surface, const std::vector<Point3>
     if (!what.empty())
     {
       refuse(wanted[root].Triangle, what);
+      verdict.IsCoarse =
+        partOn[root] != NoId && parts[At(partOn[root])].Euler == wanted[root].Euler;
       return verdict;
     }
   }

@@ -18,6 +18,7 @@ namespace biting
 struct WholeVerdict
 {
   bool IsSame = true;
+  bool IsCoarse = false; ///< the same topology: area or volume differ
   Point3 Place;     ///< on the part that differs
   Id Triangle = 0;  ///< of the surface, there
   std::string What; ///< the figures that differ

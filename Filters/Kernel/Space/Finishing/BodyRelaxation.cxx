@@ -114,11 +114,13 @@ private:
   }
 
   /// Makes room about the worst cells: those near them get better than they need to be, or
-  /// there is a vertex less, or one more.
+  /// there is a vertex less, or one more. Cells that this adds wait for the next round: each may be
+  /// nearly as bad as its parent, and be split as well.
   bool LoosenWorst(double limit)
   {
     bool isChanged = false;
-    for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots() && !this->Beats.HasStopped(); ++cell)
+    const Id slots = this->Tets.Mesh.NumberOfSlots();
+    for (Id cell = 0; cell < slots && !this->Beats.HasStopped(); ++cell)
     {
       if (this->IsBad(cell, limit))
       {

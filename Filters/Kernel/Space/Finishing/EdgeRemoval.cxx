@@ -322,9 +322,15 @@ bool EdgeRemoval::FillFromInside()
 {
   const Point3& a = this->Tets.Mesh.PointAt(this->A);
   const Point3& b = this->Tets.Mesh.PointAt(this->B);
+  const double length = Distance(a, b);
+  const std::vector<double>& sizes = this->Tets.Body.Sizes;
+  const double size = 0.5 * (sizes[At(this->A)] + sizes[At(this->B)]);
+  if (length < 0.5 * size) // else flat parts are split without end
+  {
+    return false;
+  }
   Point3 place = Midpoint(a, b);
   double worst = this->WorstAround(place, 1.0);
-  const double length = Distance(a, b);
   TryInSteps(0.1 * length, 0.01 * length,
     [this, &place, &worst](const Point3& step)
     {
@@ -339,8 +345,7 @@ bool EdgeRemoval::FillFromInside()
     return false;
   }
   const Link& link = this->Links[0];
-  const Id vertex = this->Tets.AddVertex(
-    place, 0.5 * (this->Tets.Body.Sizes[At(this->A)] + this->Tets.Body.Sizes[At(this->B)]));
+  const Id vertex = this->Tets.AddVertex(place, size);
   this->Change.Filling.clear();
   this->Change.Facets.clear();
   for (std::size_t k = 0; k < link.Size; ++k)

@@ -38,12 +38,13 @@ public:
     this->Verdict.CellsBehind.assign(this->Body.Facets.size() / 3, NoId);
     this->CheckSides();
     this->CheckPieces();
-    this->CheckVolumes();
     if (this->Verdict.What.empty() &&
       CrossesItself(this->BoundaryPoints(), this->Body.Facets, this->Beats))
     {
       this->Refuse("a boundary that crosses itself", this->Body.Facets[0]);
     }
+    this->Verdict.IsCoarse = this->Verdict.What.empty();
+    this->CheckVolumes();
     return std::move(this->Verdict);
   }
 

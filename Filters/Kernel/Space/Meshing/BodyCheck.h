@@ -16,7 +16,8 @@ namespace biting
 /// The result of the final check of a body.
 struct BodyVerdict
 {
-  std::string What; ///< the first fault; empty: none
+  std::string What;     ///< the first fault; empty: none
+  bool IsCoarse = true; ///< it is a volume: f is too large for the surface
   Point3 Place;
   std::vector<Id> CellsBehind; ///< of facets: the tetrahedron on the side they look away from
 };

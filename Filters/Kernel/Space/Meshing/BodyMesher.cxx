@@ -352,8 +352,9 @@ private:
     if (MayGoOn(this->Problems, pulse) && (!verdict.What.empty() || !whole.IsSame))
     {
       const bool isOwn = !verdict.What.empty();
-      this->Refuse(ProblemCode::CheckFailed, isOwn ? verdict.Place : whole.Place,
-        isOwn ? verdict.What : whole.What);
+      const bool isCoarse = isOwn ? verdict.IsCoarse : whole.IsCoarse;
+      this->Refuse(isCoarse ? ProblemCode::TooThin : ProblemCode::CheckFailed,
+        isOwn ? verdict.Place : whole.Place, isOwn ? verdict.What : whole.What);
     }
     boundary.Spacing.assign(
       this->Body.Sizes.begin(), this->Body.Sizes.begin() + static_cast<std::ptrdiff_t>(onBoundary));
