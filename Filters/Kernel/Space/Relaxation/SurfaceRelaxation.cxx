@@ -3,7 +3,9 @@
 
 #include "SurfaceRelaxation.h"
 
+#include "../../Base/Numbers.h"
 #include "../Features/GroundPatches.h"
+#include "ChainPlaces.h"
 #include "SurfaceStars.h"
 
 #include <algorithm> // for min, max
@@ -21,6 +23,50 @@ constexpr double GoodCosine = 0.8191520442889918;     // 35 degrees
 constexpr double BadCosine = 0.7880107536067220;      // 38 degrees
 constexpr double LeastAgreement = 0.6427876096865394; // 50 degrees
 
+// In f, of middles of triangles from the ground.
+constexpr double MostDeviation = 0.08;
+constexpr double Nearer = 1e-3; ///< by as much at least, steps approach the ground
+
+using Triangle = std::array<Point3, 3>;
+
+/// The cosine of the smallest angle, which is opposite the shortest side.
+double WorstCosine(const Triangle& t)
+{
+  std::array<double, 3> sides{};
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Point3 side = t[(k + 2) % 3] - t[(k + 1) % 3];
+    sides[k] = Dot(side, side);
+  }
+  const double least = std::min(sides[0], std::min(sides[1], sides[2]));
+  const double most = std::max(sides[0], std::max(sides[1], sides[2]));
+  const double middle = sides[0] + sides[1] + sides[2] - least - most;
+  return middle > 0.0 ? 0.5 * (middle + most - least) / std::sqrt(middle * most) : 1.0;
+}
+
+Point3 UnitNormal(const Triangle& t)
+{
+  const Point3 normal = Cross(t[1] - t[0], t[2] - t[0]);
+  const double length = Length(normal);
+  return length > 0.0 ? (1.0 / length) * normal : Point3{};
+}
+
+/// The other diagonal of two triangles (a, b, c) and (d, c, b): (a, b, d) and (d, c, a).
+struct SurfaceFlip
+{
+  std::array<Id, 4> Vertices; ///< a, b, c, d
+  Triangle First;
+  Triangle Second;
+  Triangle NewFirst;
+  Triangle NewSecond;
+
+  double Before() const { return std::max(WorstCosine(this->First), WorstCosine(this->Second)); }
+  double After() const
+  {
+    return std::max(WorstCosine(this->NewFirst), WorstCosine(this->NewSecond));
+  }
+};
+
 class SurfaceRelaxer
 {
 public:
@@ -34,6 +80,7 @@ public:
     , Changes(mesh.Points.size(), 0)
     , Trials(mesh.Corners.size(), NoId)
     , Patches(ground)
+    , Places(ground, mesh.Chains, mesh.Points)
   {
     this->FindIdeals();
   }
@@ -64,9 +111,18 @@ public:
         break;
       }
     }
+    constexpr int Approaches = 4;
+    for (int round = 0; round < Approaches && this->Beats.Ask() && this->Approach(round); ++round)
+    {
+    }
   }
 
 private:
+  bool IsMobile(Id vertex) const
+  {
+    return this->Mesh.IsFree[At(vertex)] != 0 || this->Places.IsOn(vertex);
+  }
+
   /// Numbers of triangles: 6 at free vertices; at others the angle that they have in all, by 60
   /// degrees, which flips do not change much.
   void FindIdeals()
@@ -93,34 +149,10 @@ private:
     return this->Mesh.Points[At(this->Mesh.Corners[slot])];
   }
 
-  using Triangle = std::array<Point3, 3>;
-
   Triangle TriangleAt(std::size_t slot) const
   {
     return { this->PointOf(slot), this->PointOf(NextSlotOf(slot)),
       this->PointOf(PreviousSlotOf(slot)) };
-  }
-
-  /// The cosine of the smallest angle, which is opposite the shortest side.
-  static double WorstCosine(const Triangle& t)
-  {
-    std::array<double, 3> sides{};
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const Point3 side = t[(k + 2) % 3] - t[(k + 1) % 3];
-      sides[k] = Dot(side, side);
-    }
-    const double least = std::min(sides[0], std::min(sides[1], sides[2]));
-    const double most = std::max(sides[0], std::max(sides[1], sides[2]));
-    const double middle = sides[0] + sides[1] + sides[2] - least - most;
-    return middle > 0.0 ? 0.5 * (middle + most - least) / std::sqrt(middle * most) : 1.0;
-  }
-
-  static Point3 UnitNormal(const Triangle& t)
-  {
-    const Point3 normal = Cross(t[1] - t[0], t[2] - t[0]);
-    const double length = Length(normal);
-    return length > 0.0 ? (1.0 / length) * normal : Point3{};
   }
 
   /// Whether a new triangle agrees with the ground under its free corners, and with the normal of
@@ -161,6 +193,7 @@ private:
         }
       }
     }
+    this->SlotsAt = PlacesByKey(this->Mesh.Corners, this->Mesh.Points.size());
   }
 
   /// Whether nothing at the four vertices has changed since the flip was tried.
@@ -173,8 +206,9 @@ private:
   }
 
   /// How much better the numbers of triangles at the four vertices are after a flip.
-  Id GainOfDegrees(Id a, Id b, Id c, Id d) const
+  Id GainOfDegrees(const std::array<Id, 4>& vertices) const
   {
+    const auto [a, b, c, d] = vertices;
     const auto off = [this](Id vertex, Id change)
     {
       const Id excess = this->Stars.Degree(vertex) + change - this->Ideal[At(vertex)];
@@ -184,44 +218,55 @@ private:
       off(d, 1);
   }
 
-  bool TryFlip(std::size_t slot, bool byDegrees)
+  SurfaceFlip FlipAt(std::size_t slot) const
   {
     const auto other = At(this->Stars.Across(slot));
-    const Id a = this->Mesh.Corners[slot];
-    const Id b = this->Mesh.Corners[NextSlotOf(slot)];
-    const Id c = this->Mesh.Corners[PreviousSlotOf(slot)];
-    const Id d = this->Mesh.Corners[other];
-    const Triangle first = this->TriangleAt(slot);
-    const Triangle second = this->TriangleAt(other);
-    const Triangle newFirst{ first[0], first[1], second[0] };
-    const Triangle newSecond{ second[0], first[2], first[0] };
-    const double before = std::max(WorstCosine(first), WorstCosine(second));
-    const double after = std::max(WorstCosine(newFirst), WorstCosine(newSecond));
-    const Id gain = byDegrees ? this->GainOfDegrees(a, b, c, d) : 0;
+    SurfaceFlip flip{ { this->Mesh.Corners[slot], this->Mesh.Corners[NextSlotOf(slot)],
+                        this->Mesh.Corners[PreviousSlotOf(slot)], this->Mesh.Corners[other] },
+      this->TriangleAt(slot), this->TriangleAt(other), {}, {} };
+    flip.NewFirst = { flip.First[0], flip.First[1], flip.Second[0] };
+    flip.NewSecond = { flip.Second[0], flip.First[2], flip.First[0] };
+    return flip;
+  }
+
+  bool TryFlip(std::size_t slot, bool byDegrees)
+  {
+    const SurfaceFlip flip = this->FlipAt(slot);
+    const double before = flip.Before();
+    const double after = flip.After();
+    const Id gain = byDegrees ? this->GainOfDegrees(flip.Vertices) : 0;
     constexpr double Better = 1e-6;
     constexpr double LeastForDegrees = 0.9063077870366499; // 25 degrees
     const bool isWanted =
       gain > 0 ? after <= std::max(before, LeastForDegrees) : gain == 0 && after < before - Better;
     const bool isPoor = before > GoodCosine && after < before - Better;
     if ((!isWanted && !isPoor) || (gain > 0 && after > before && after > GoodCosine) ||
-      this->Stars.Degree(b) <= 3 || this->Stars.Degree(c) <= 3)
+      !this->MayFlip(slot, flip))
     {
       return false;
     }
-    const Point3 old = UnitNormal(first) + UnitNormal(second);
-    const Point3 mean = (1.0 / std::max(Length(old), 1e-300)) * old;
-    if (this->IsEdge(slot, a, d) || !this->Agrees(newFirst, { a, b, d }, mean) ||
-      !this->Agrees(newSecond, { d, c, a }, mean))
-    {
-      return false;
-    }
+    this->Do(slot, flip);
+    return true;
+  }
+
+  void Do(std::size_t slot, const SurfaceFlip& flip)
+  {
     this->Stars.Flip(slot);
     ++this->Now;
-    for (const Id vertex : { a, b, c, d })
+    for (const Id vertex : flip.Vertices)
     {
       this->Changes[At(vertex)] = this->Now;
     }
-    return true;
+  }
+
+  bool MayFlip(std::size_t slot, const SurfaceFlip& flip) const
+  {
+    const auto [a, b, c, d] = flip.Vertices;
+    const Point3 old = UnitNormal(flip.First) + UnitNormal(flip.Second);
+    const Point3 mean = (1.0 / std::max(Length(old), 1e-300)) * old;
+    return this->Stars.Degree(b) > 3 && this->Stars.Degree(c) > 3 && !this->IsEdge(slot, a, d) &&
+      this->Agrees(flip.NewFirst, { a, b, d }, mean) &&
+      this->Agrees(flip.NewSecond, { d, c, a }, mean);
   }
 
   /// Whether a and d, the apexes at an edge, have an edge already. At vertices of features that is
@@ -246,98 +291,221 @@ private:
   {
     Point3 sum{};
     double mass = 0.0;
-    this->Stars.ForStar(vertex,
-      [this, &sum, &mass](std::size_t slot)
-      {
-        const Triangle t = this->TriangleAt(slot);
-        const double size = (this->SizeOf(slot) + this->SizeOf(NextSlotOf(slot)) +
-                              this->SizeOf(PreviousSlotOf(slot))) /
-          3.0;
-        const double own = Length(Cross(t[1] - t[0], t[2] - t[0])) / (size * size * size * size);
-        sum = sum + (own / 3.0) * (t[0] + t[1] + t[2]);
-        mass += own;
-      });
+    for (const Id* s = this->SlotsAt.Begin(vertex); s < this->SlotsAt.End(vertex); ++s)
+    {
+      const Triangle t = this->TriangleAt(At(*s));
+      const double size = this->SizeOf(At(*s) / 3);
+      const double own = Length(Cross(t[1] - t[0], t[2] - t[0])) / (size * size * size * size);
+      sum = sum + (own / 3.0) * (t[0] + t[1] + t[2]);
+      mass += own;
+    }
     if (mass > 0.0)
     {
       this->TryMove(vertex, (1.0 / mass) * sum, GoodCosine);
     }
   }
 
-  double SizeOf(std::size_t slot) const { return this->Mesh.Sizes[At(this->Mesh.Corners[slot])]; }
-
-  /// Moves the vertex to the place on the ground if no triangle of its star is worse then than the
-  /// worst one was, or than `good`.
-  bool TryMove(Id vertex, const Point3& wanted, double good)
+  /// The mean of f at the corners of the triangle.
+  double SizeOf(std::size_t triangle) const
   {
-    const GroundPlace place = this->Patches.Project(this->Mesh.Triangles[At(vertex)], wanted);
+    const Id* corners = &this->Mesh.Corners[3 * triangle];
+    return (this->Mesh.Sizes[At(corners[0])] + this->Mesh.Sizes[At(corners[1])] +
+             this->Mesh.Sizes[At(corners[2])]) /
+      3.0;
+  }
+
+  /// Moves the vertex to the place on the ground, or on its chain, if no triangle of its star is
+  /// worse then than the worst one was, or than `good`, and none as far from the ground as `far`.
+  bool TryMove(Id vertex, const Point3& wanted, double good, double far = Infinity)
+  {
+    const bool isFree = this->Mesh.IsFree[At(vertex)] != 0;
+    const Point3 oldPlace = this->Mesh.Points[At(vertex)];
+    const Id oldTriangle = this->Mesh.Triangles[At(vertex)];
+    ChainPlace place{};
+    if (isFree)
+    {
+      const GroundPlace onPatch = this->Patches.Project(oldTriangle, wanted);
+      this->Mesh.Triangles[At(vertex)] = onPatch.Triangle;
+      place.Place = onPatch.Place;
+    }
+    else
+    {
+      place = this->Places.Project(vertex, wanted);
+    }
     double before = 0.0;
     double after = 0.0;
     bool agrees = true;
-    const GroundPlace old{ this->Mesh.Triangles[At(vertex)], this->Mesh.Points[At(vertex)] };
-    this->Mesh.Triangles[At(vertex)] = place.Triangle;
-    this->Stars.ForStar(vertex,
-      [this, &place, &before, &after, &agrees](std::size_t slot)
-      {
-        Triangle t = this->TriangleAt(slot);
-        before = std::max(before, WorstCosine(t));
-        const Point3 normal = UnitNormal(t);
-        t[0] = place.Place;
-        after = std::max(after, WorstCosine(t));
-        agrees = agrees &&
-          this->Agrees(t,
-            { this->Mesh.Corners[slot], this->Mesh.Corners[NextSlotOf(slot)],
-              this->Mesh.Corners[PreviousSlotOf(slot)] },
-            normal);
-      });
+    for (const Id* s = this->SlotsAt.Begin(vertex); s < this->SlotsAt.End(vertex); ++s)
+    {
+      const std::size_t slot = At(*s);
+      Triangle t = this->TriangleAt(slot);
+      before = std::max(before, WorstCosine(t));
+      const Point3 normal = UnitNormal(t);
+      t[0] = place.Place;
+      after = std::max(after, WorstCosine(t));
+      agrees = agrees &&
+        this->Agrees(t,
+          { vertex, this->Mesh.Corners[NextSlotOf(slot)],
+            this->Mesh.Corners[PreviousSlotOf(slot)] },
+          normal);
+    }
     constexpr double Better = 1e-9;
-    if (agrees && after < std::max(before - Better, good))
+    const bool isBetter = agrees && after < std::max(before - Better, good);
+    this->Mesh.Points[At(vertex)] = place.Place;
+    if (isBetter && (far == Infinity || this->DeviationAt(vertex) < far))
     {
       this->Changes[At(vertex)] = ++this->Now;
-      this->Mesh.Points[At(vertex)] = place.Place;
-      this->Mesh.Sizes[At(vertex)] = this->Ground.SizeAt(place.Triangle, place.Place);
+      if (isFree)
+      {
+        this->Mesh.Sizes[At(vertex)] =
+          this->Ground.SizeAt(this->Mesh.Triangles[At(vertex)], place.Place);
+      }
+      else
+      {
+        this->Places.Move(vertex, place.Edge);
+      }
       return true;
     }
-    this->Mesh.Triangles[At(vertex)] = old.Triangle;
+    this->Mesh.Points[At(vertex)] = oldPlace;
+    this->Mesh.Triangles[At(vertex)] = oldTriangle;
     return false;
   }
 
-  /// Tries to move the free vertices of poor triangles in twelve directions. False where none is
-  /// better for it.
+  /// Tries to move the vertices of poor triangles in twelve directions. False where none is better
+  /// for it.
   bool MoveWorst(int round)
   {
-    constexpr int Directions = 12;
+    const double step = round % 3 == 0 ? 0.1 : (round % 3 == 1 ? 0.03 : 0.01);
     bool isChanged = false;
     for (std::size_t t = 0; t < this->Mesh.Corners.size() / 3; ++t)
     {
-      if (WorstCosine(this->TriangleAt(3 * t)) < BadCosine || !this->Beats.Beat(8))
+      if (WorstCosine(this->TriangleAt(3 * t)) >= BadCosine && this->Beats.Beat(8))
       {
-        continue;
-      }
-      for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
-      {
-        const Id vertex = this->Mesh.Corners[slot];
-        if (this->Mesh.IsFree[At(vertex)] == 0)
-        {
-          continue;
-        }
-        const Point3& normal = this->Ground.NormalOf(At(this->Mesh.Triangles[At(vertex)]));
-        const Point3 side = this->PointOf(NextSlotOf(slot)) - this->PointOf(slot);
-        const Point3 across = Cross(normal, side);
-        const double length = Length(across);
-        const double step =
-          (round % 3 == 0 ? 0.1 : (round % 3 == 1 ? 0.03 : 0.01)) * this->Mesh.Sizes[At(vertex)];
-        const Point3 v = (step / std::max(length, 1e-300)) * across;
-        const Point3 u = Cross(v, normal);
-        for (int k = 0; k < Directions; ++k)
-        {
-          const double angle = k * 0.5235987755982988;
-          const Point3 place =
-            this->Mesh.Points[At(vertex)] + std::cos(angle) * u + std::sin(angle) * v;
-          isChanged = this->TryMove(vertex, place, 0.0) || isChanged;
-        }
+        isChanged = this->MoveCorners(t, step, false) || isChanged;
       }
     }
     return isChanged || round < 3;
+  }
+
+  /// Tries to move the corners of the triangle in twelve directions by the step, in f.
+  bool MoveCorners(std::size_t t, double step, bool toApproach)
+  {
+    constexpr int Directions = 12;
+    bool isChanged = false;
+    for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
+    {
+      const Id vertex = this->Mesh.Corners[slot];
+      if (!this->IsMobile(vertex))
+      {
+        continue;
+      }
+      const Point3& normal = this->Mesh.IsFree[At(vertex)] != 0
+        ? this->Ground.NormalOf(At(this->Mesh.Triangles[At(vertex)]))
+        : UnitNormal(this->TriangleAt(slot));
+      const Point3 side = this->PointOf(NextSlotOf(slot)) - this->PointOf(slot);
+      const Point3 across = Cross(normal, side);
+      const Point3 v =
+        (step * this->Mesh.Sizes[At(vertex)] / std::max(Length(across), 1e-300)) * across;
+      const Point3 u = Cross(v, normal);
+      double far = toApproach ? this->DeviationAt(vertex) - Nearer : Infinity;
+      for (int k = 0; k < Directions; ++k)
+      {
+        const double angle = k * 0.5235987755982988;
+        const Point3 place =
+          this->Mesh.Points[At(vertex)] + std::cos(angle) * u + std::sin(angle) * v;
+        if (this->TryMove(vertex, place, toApproach ? BadCosine : 0.0, far))
+        {
+          isChanged = true;
+          far = toApproach ? this->DeviationAt(vertex) - Nearer : far;
+        }
+      }
+    }
+    return isChanged;
+  }
+
+  /// Distance of the middle of a triangle from the patch of a free corner, in f. 0 without one.
+  double DeviationOf(const Triangle& triangle, const std::array<Id, 3>& vertices) const
+  {
+    double size = 0.0;
+    Id start = NoId;
+    for (const Id vertex : vertices)
+    {
+      size += this->Mesh.Sizes[At(vertex)] / 3.0;
+      start = this->Mesh.IsFree[At(vertex)] != 0 ? this->Mesh.Triangles[At(vertex)] : start;
+    }
+    const Point3 middle = (1.0 / 3.0) * (triangle[0] + triangle[1] + triangle[2]);
+    return start == NoId ? 0.0
+                         : Distance(this->Patches.Project(start, middle).Place, middle) / size;
+  }
+
+  double DeviationOf(std::size_t t) const
+  {
+    return this->DeviationOf(this->TriangleAt(3 * t),
+      { this->Mesh.Corners[3 * t], this->Mesh.Corners[3 * t + 1], this->Mesh.Corners[3 * t + 2] });
+  }
+
+  /// The largest one of the triangles at the vertex.
+  double DeviationAt(Id vertex) const
+  {
+    double most = 0.0;
+    for (const Id* s = this->SlotsAt.Begin(vertex); s < this->SlotsAt.End(vertex); ++s)
+    {
+      most = std::max(most, this->DeviationOf(At(*s) / 3));
+    }
+    return most;
+  }
+
+  /// Tries flips and moves where triangles are far from the ground. False where none helps.
+  bool Approach(int round)
+  {
+    const std::size_t triangles = this->Mesh.Corners.size() / 3;
+    bool isChanged = false;
+    std::vector<std::size_t> far;
+    for (std::size_t t = 0; t < triangles && this->Beats.Beat(4); ++t)
+    {
+      if (this->DeviationOf(t) > MostDeviation)
+      {
+        far.push_back(t);
+      }
+    }
+    for (const std::size_t t : far)
+    {
+      for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
+      {
+        isChanged = this->FlipToApproach(slot) || isChanged;
+      }
+    }
+    this->SlotsAt = PlacesByKey(this->Mesh.Corners, this->Mesh.Points.size());
+    for (const std::size_t t : far)
+    {
+      if (this->Beats.Beat(64) && this->DeviationOf(t) > MostDeviation)
+      {
+        isChanged = this->MoveCorners(t, round % 2 == 0 ? 0.15 : 0.05, true) || isChanged;
+      }
+    }
+    return isChanged;
+  }
+
+  bool FlipToApproach(std::size_t slot)
+  {
+    if (this->Stars.Across(slot) == NoId)
+    {
+      return false;
+    }
+    const SurfaceFlip flip = this->FlipAt(slot);
+    const auto [a, b, c, d] = flip.Vertices;
+    const bool isBetter = flip.After() < std::max(flip.Before(), BadCosine) &&
+      std::max(this->DeviationOf(flip.NewFirst, { a, b, d }),
+        this->DeviationOf(flip.NewSecond, { d, c, a })) <
+        std::max(
+          this->DeviationOf(flip.First, { a, b, c }), this->DeviationOf(flip.Second, { d, c, b })) -
+          Nearer &&
+      this->MayFlip(slot, flip);
+    if (isBetter)
+    {
+      this->Do(slot, flip);
+    }
+    return isBetter;
   }
 
   const SurfaceGround& Ground;
@@ -348,7 +516,9 @@ private:
   std::vector<Id> Changes; ///< of vertices: the number of their last change
   std::vector<Id> Trials;  ///< of slots: the number of changes before the last trial of a flip
   GroundPatches Patches;
-  Id Now = 0; ///< the number of changes
+  ChainPlaces Places;
+  ListsByKey SlotsAt; ///< of vertices, after the last flip
+  Id Now = 0;         ///< the number of changes
   bool AreByDegrees = false;
 };
 
