@@ -71,6 +71,14 @@ ChainPlace ChainPlaces::Project(Id vertex, const Point3& place) const
   return best;
 }
 
+Point3 ChainPlaces::DirectionAt(Id vertex) const
+{
+  const Id edge = this->Edges[At(vertex)];
+  const Point3 side = this->Ground.Mesh.Points[At(this->Ground.Chains.At(edge))] -
+    this->Ground.Mesh.Points[At(this->Ground.Chains.At(edge - 1))];
+  return (1.0 / std::max(Length(side), 1e-300)) * side;
+}
+
 Point3 ChainPlaces::Nearest(Id edge, const Point3& place) const
 {
   const Point3& tail = this->Ground.Mesh.Points[At(this->Ground.Chains.At(edge - 1))];

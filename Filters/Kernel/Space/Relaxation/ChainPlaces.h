@@ -32,6 +32,9 @@ public:
   /// minimum. Chains that are no rings end at their corners.
   ChainPlace Project(Id vertex, const Point3& place) const;
 
+  /// Of the chain at the vertex; of length 1.
+  Point3 DirectionAt(Id vertex) const;
+
   void Move(Id vertex, Id edge) { this->Edges[At(vertex)] = edge; }
 
 private:

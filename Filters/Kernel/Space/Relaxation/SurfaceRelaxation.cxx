@@ -8,7 +8,7 @@
 #include "ChainPlaces.h"
 #include "SurfaceStars.h"
 
-#include <algorithm> // for min, max
+#include <algorithm> // for any_of, min, max
 #include <array>     // for triangles
 #include <cmath>     // for sqrt
 
@@ -67,81 +67,19 @@ struct SurfaceFlip
   }
 };
 
-class SurfaceRelaxer
+/// A mesh that is relaxed, and the steps that keep the laws of RelaxSurface.
+class SurfaceSteps
 {
-public:
-  SurfaceRelaxer(
+protected:
+  SurfaceSteps(
     const SurfaceGround& ground, const std::vector<Id>& pieces, RelaxedSurface& mesh, Pulse& pulse)
     : Ground(ground)
     , Mesh(mesh)
     , Stars(mesh.Corners, mesh.Points.size(), pieces, pulse)
-    , Beats(pulse)
-    , Ideal(mesh.Points.size(), 6)
     , Changes(mesh.Points.size(), 0)
-    , Trials(mesh.Corners.size(), NoId)
     , Patches(ground)
     , Places(ground, mesh.Chains, mesh.Points)
   {
-    this->FindIdeals();
-  }
-
-  void Run()
-  {
-    constexpr int Rounds = 5;
-    for (int round = 0; round < Rounds && this->Beats.Ask(); ++round)
-    {
-      this->FlipAll(round < Rounds - 1);
-      for (Id vertex = 0; vertex < static_cast<Id>(this->Mesh.Points.size()); ++vertex)
-      {
-        if (this->Mesh.IsFree[At(vertex)] != 0 && this->Beats.Beat(64))
-        {
-          this->Smooth(vertex);
-        }
-      }
-    }
-    constexpr int MostTrials = 12;
-    for (int round = 0; round < MostTrials && this->Beats.Ask(); ++round)
-    {
-      if (round % 3 == 0)
-      {
-        this->FlipAll(false);
-      }
-      if (!this->MoveWorst(round))
-      {
-        break;
-      }
-    }
-    constexpr int Approaches = 4;
-    for (int round = 0; round < Approaches && this->Beats.Ask() && this->Approach(round); ++round)
-    {
-    }
-  }
-
-private:
-  bool IsMobile(Id vertex) const
-  {
-    return this->Mesh.IsFree[At(vertex)] != 0 || this->Places.IsOn(vertex);
-  }
-
-  /// Numbers of triangles: 6 at free vertices; at others the angle that they have in all, by 60
-  /// degrees, which flips do not change much.
-  void FindIdeals()
-  {
-    std::vector<double> angles(this->Mesh.Points.size(), 0.0);
-    for (std::size_t slot = 0; slot < this->Mesh.Corners.size(); ++slot)
-    {
-      const Point3& place = this->PointOf(slot);
-      const Point3 a = this->PointOf(NextSlotOf(slot)) - place;
-      const Point3 b = this->PointOf(PreviousSlotOf(slot)) - place;
-      angles[At(this->Mesh.Corners[slot])] += std::atan2(Length(Cross(a, b)), Dot(a, b));
-    }
-    for (std::size_t v = 0; v < angles.size(); ++v)
-    {
-      constexpr double Sixty = 1.0471975511965976;
-      this->Ideal[v] = this->Mesh.IsFree[v] != 0
-        ? 6
-        : std::max(static_cast<Id>(std::lround(angles[v] / Sixty)), Id{ 1 });
-    }
   }
 
   const Point3& PointOf(std::size_t slot) const
@@ -155,67 +93,13 @@ private:
       this->PointOf(PreviousSlotOf(slot)) };
   }
 
-  /// Whether a new triangle agrees with the ground under its free corners, and with the normal of
-  /// an old one there.
-  bool Agrees(const Triangle& triangle, const std::array<Id, 3>& vertices, const Point3& old) const
+  /// The mean of f at the corners of the triangle.
+  double SizeOf(std::size_t triangle) const
   {
-    const Point3 normal = UnitNormal(triangle);
-    bool agrees = Dot(normal, old) > LeastAgreement;
-    for (const Id vertex : vertices)
-    {
-      agrees = agrees &&
-        (this->Mesh.IsFree[At(vertex)] == 0 ||
-          Dot(normal, this->Ground.NormalOf(At(this->Mesh.Triangles[At(vertex)]))) >
-            LeastAgreement);
-    }
-    return agrees;
-  }
-
-  void FlipAll(bool byDegrees)
-  {
-    constexpr int MostSweeps = 2;
-    bool isChanged = true;
-    if (byDegrees != this->AreByDegrees)
-    {
-      this->Trials.assign(this->Trials.size(), NoId);
-      this->AreByDegrees = byDegrees;
-    }
-    for (int sweep = 0; sweep < MostSweeps && isChanged; ++sweep)
-    {
-      isChanged = false;
-      for (std::size_t slot = 0; slot < this->Mesh.Corners.size(); ++slot)
-      {
-        const Id across = this->Stars.Across(slot);
-        if (across > static_cast<Id>(slot) && this->Beats.Beat(4) && !this->WasTried(slot))
-        {
-          this->Trials[slot] = this->Now;
-          isChanged = this->TryFlip(slot, byDegrees) || isChanged;
-        }
-      }
-    }
-    this->SlotsAt = PlacesByKey(this->Mesh.Corners, this->Mesh.Points.size());
-  }
-
-  /// Whether nothing at the four vertices has changed since the flip was tried.
-  bool WasTried(std::size_t slot) const
-  {
-    const auto changed = [this](std::size_t s) { return this->Changes[At(this->Mesh.Corners[s])]; };
-    return std::max(std::max(changed(slot), changed(At(this->Stars.Across(slot)))),
-             std::max(changed(NextSlotOf(slot)), changed(PreviousSlotOf(slot)))) <=
-      this->Trials[slot];
-  }
-
-  /// How much better the numbers of triangles at the four vertices are after a flip.
-  Id GainOfDegrees(const std::array<Id, 4>& vertices) const
-  {
-    const auto [a, b, c, d] = vertices;
-    const auto off = [this](Id vertex, Id change)
-    {
-      const Id excess = this->Stars.Degree(vertex) + change - this->Ideal[At(vertex)];
-      return excess * excess;
-    };
-    return off(a, 0) + off(b, 0) + off(c, 0) + off(d, 0) - off(a, 1) - off(b, -1) - off(c, -1) -
-      off(d, 1);
+    const Id* corners = &this->Mesh.Corners[3 * triangle];
+    return (this->Mesh.Sizes[At(corners[0])] + this->Mesh.Sizes[At(corners[1])] +
+             this->Mesh.Sizes[At(corners[2])]) /
+      3.0;
   }
 
   SurfaceFlip FlipAt(std::size_t slot) const
@@ -229,24 +113,14 @@ private:
     return flip;
   }
 
-  bool TryFlip(std::size_t slot, bool byDegrees)
+  bool MayFlip(std::size_t slot, const SurfaceFlip& flip) const
   {
-    const SurfaceFlip flip = this->FlipAt(slot);
-    const double before = flip.Before();
-    const double after = flip.After();
-    const Id gain = byDegrees ? this->GainOfDegrees(flip.Vertices) : 0;
-    constexpr double Better = 1e-6;
-    constexpr double LeastForDegrees = 0.9063077870366499; // 25 degrees
-    const bool isWanted =
-      gain > 0 ? after <= std::max(before, LeastForDegrees) : gain == 0 && after < before - Better;
-    const bool isPoor = before > GoodCosine && after < before - Better;
-    if ((!isWanted && !isPoor) || (gain > 0 && after > before && after > GoodCosine) ||
-      !this->MayFlip(slot, flip))
-    {
-      return false;
-    }
-    this->Do(slot, flip);
-    return true;
+    const auto [a, b, c, d] = flip.Vertices;
+    const Point3 old = UnitNormal(flip.First) + UnitNormal(flip.Second);
+    const Point3 mean = (1.0 / std::max(Length(old), 1e-300)) * old;
+    return this->Stars.Degree(b) > 3 && this->Stars.Degree(c) > 3 && !this->IsEdge(slot, a, d) &&
+      this->Agrees(flip.NewFirst, { a, b, d }, mean) &&
+      this->Agrees(flip.NewSecond, { d, c, a }, mean);
   }
 
   void Do(std::size_t slot, const SurfaceFlip& flip)
@@ -257,16 +131,6 @@ private:
     {
       this->Changes[At(vertex)] = this->Now;
     }
-  }
-
-  bool MayFlip(std::size_t slot, const SurfaceFlip& flip) const
-  {
-    const auto [a, b, c, d] = flip.Vertices;
-    const Point3 old = UnitNormal(flip.First) + UnitNormal(flip.Second);
-    const Point3 mean = (1.0 / std::max(Length(old), 1e-300)) * old;
-    return this->Stars.Degree(b) > 3 && this->Stars.Degree(c) > 3 && !this->IsEdge(slot, a, d) &&
-      this->Agrees(flip.NewFirst, { a, b, d }, mean) &&
-      this->Agrees(flip.NewSecond, { d, c, a }, mean);
   }
 
   /// Whether a and d, the apexes at an edge, have an edge already. At vertices of features that is
@@ -287,32 +151,24 @@ private:
     return isEdge;
   }
 
-  void Smooth(Id vertex)
+  /// Whether a new triangle agrees with the ground under its free corners, and with the normal of
+  /// an old one there.
+  bool Agrees(const Triangle& triangle, const std::array<Id, 3>& vertices, const Point3& old) const
   {
-    Point3 sum{};
-    double mass = 0.0;
-    for (const Id* s = this->SlotsAt.Begin(vertex); s < this->SlotsAt.End(vertex); ++s)
+    const Point3 normal = UnitNormal(triangle);
+    bool agrees = Dot(normal, old) > LeastAgreement;
+    for (const Id vertex : vertices)
     {
-      const Triangle t = this->TriangleAt(At(*s));
-      const double size = this->SizeOf(At(*s) / 3);
-      const double own = Length(Cross(t[1] - t[0], t[2] - t[0])) / (size * size * size * size);
-      sum = sum + (own / 3.0) * (t[0] + t[1] + t[2]);
-      mass += own;
+      agrees = agrees &&
+        (this->Mesh.IsFree[At(vertex)] == 0 ||
+          Dot(normal, this->Ground.NormalOf(At(this->Mesh.Triangles[At(vertex)]))) >
+            LeastAgreement);
     }
-    if (mass > 0.0)
-    {
-      this->TryMove(vertex, (1.0 / mass) * sum, GoodCosine);
-    }
+    return agrees;
   }
 
-  /// The mean of f at the corners of the triangle.
-  double SizeOf(std::size_t triangle) const
-  {
-    const Id* corners = &this->Mesh.Corners[3 * triangle];
-    return (this->Mesh.Sizes[At(corners[0])] + this->Mesh.Sizes[At(corners[1])] +
-             this->Mesh.Sizes[At(corners[2])]) /
-      3.0;
-  }
+  /// After flips.
+  void ListSlots() { this->SlotsAt = PlacesByKey(this->Mesh.Corners, this->Mesh.Points.size()); }
 
   /// Moves the vertex to the place on the ground, or on its chain, if no triangle of its star is
   /// worse then than the worst one was, or than `good`, and none as far from the ground as `far`.
@@ -371,46 +227,27 @@ private:
     return false;
   }
 
-  /// Tries to move the vertices of poor triangles in twelve directions. False where none is better
-  /// for it.
-  bool MoveWorst(int round)
-  {
-    const double step = round % 3 == 0 ? 0.1 : (round % 3 == 1 ? 0.03 : 0.01);
-    bool isChanged = false;
-    for (std::size_t t = 0; t < this->Mesh.Corners.size() / 3; ++t)
-    {
-      if (WorstCosine(this->TriangleAt(3 * t)) >= BadCosine && this->Beats.Beat(8))
-      {
-        isChanged = this->MoveCorners(t, step, false) || isChanged;
-      }
-    }
-    return isChanged || round < 3;
-  }
-
-  /// Tries to move the corners of the triangle in twelve directions by the step, in f.
+  /// Tries to move the corners of the triangle by the step, in f: free ones in twelve directions.
   bool MoveCorners(std::size_t t, double step, bool toApproach)
   {
-    constexpr int Directions = 12;
     bool isChanged = false;
     for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
     {
       const Id vertex = this->Mesh.Corners[slot];
-      if (!this->IsMobile(vertex))
+      const bool isFree = this->Mesh.IsFree[At(vertex)] != 0;
+      if (!isFree && !this->Places.IsOn(vertex))
       {
         continue;
       }
-      const Point3& normal = this->Mesh.IsFree[At(vertex)] != 0
-        ? this->Ground.NormalOf(At(this->Mesh.Triangles[At(vertex)]))
-        : UnitNormal(this->TriangleAt(slot));
-      const Point3 side = this->PointOf(NextSlotOf(slot)) - this->PointOf(slot);
-      const Point3 across = Cross(normal, side);
+      const double length = step * this->Mesh.Sizes[At(vertex)];
+      const Point3 u = length * (isFree ? this->TangentAt(slot) : this->Places.DirectionAt(vertex));
       const Point3 v =
-        (step * this->Mesh.Sizes[At(vertex)] / std::max(Length(across), 1e-300)) * across;
-      const Point3 u = Cross(v, normal);
+        isFree ? Cross(this->Ground.NormalOf(At(this->Mesh.Triangles[At(vertex)])), u) : Point3{};
+      const int directions = isFree ? 12 : 2;
       double far = toApproach ? this->DeviationAt(vertex) - Nearer : Infinity;
-      for (int k = 0; k < Directions; ++k)
+      for (int k = 0; k < directions; ++k)
       {
-        const double angle = k * 0.5235987755982988;
+        const double angle = k * 6.283185307179586 / directions;
         const Point3 place =
           this->Mesh.Points[At(vertex)] + std::cos(angle) * u + std::sin(angle) * v;
         if (this->TryMove(vertex, place, toApproach ? BadCosine : 0.0, far))
@@ -421,6 +258,15 @@ private:
       }
     }
     return isChanged;
+  }
+
+  /// At a free vertex: of length 1, across the side that follows.
+  Point3 TangentAt(std::size_t slot) const
+  {
+    const Point3& normal =
+      this->Ground.NormalOf(At(this->Mesh.Triangles[At(this->Mesh.Corners[slot])]));
+    const Point3 across = Cross(normal, this->PointOf(NextSlotOf(slot)) - this->PointOf(slot));
+    return (1.0 / std::max(Length(across), 1e-300)) * across;
   }
 
   /// Distance of the middle of a triangle from the patch of a free corner, in f. 0 without one.
@@ -455,15 +301,199 @@ private:
     return most;
   }
 
-  /// Tries flips and moves where triangles are far from the ground. False where none helps.
-  bool Approach(int round)
+  const SurfaceGround& Ground;
+  RelaxedSurface& Mesh;
+  SurfaceStars Stars;
+  std::vector<Id> Changes; ///< of vertices: the number of their last change
+  Id Now = 0;              ///< the number of changes
+  GroundPatches Patches;
+  ChainPlaces Places;
+  ListsByKey SlotsAt; ///< of vertices
+};
+
+/// The order of the steps.
+class SurfaceRelaxer : private SurfaceSteps
+{
+public:
+  SurfaceRelaxer(
+    const SurfaceGround& ground, const std::vector<Id>& pieces, RelaxedSurface& mesh, Pulse& pulse)
+    : SurfaceSteps(ground, pieces, mesh, pulse)
+    , Beats(pulse)
+    , Ideal(mesh.Points.size(), 6)
+    , Trials(mesh.Corners.size(), NoId)
   {
-    const std::size_t triangles = this->Mesh.Corners.size() / 3;
-    bool isChanged = false;
-    std::vector<std::size_t> far;
-    for (std::size_t t = 0; t < triangles && this->Beats.Beat(4); ++t)
+    this->FindIdeals();
+  }
+
+  void Run()
+  {
+    constexpr int Rounds = 5;
+    for (int round = 0; round < Rounds && this->Beats.Ask(); ++round)
     {
-      if (this->DeviationOf(t) > MostDeviation)
+      this->FlipAll(round < Rounds - 1);
+      for (Id vertex = 0; vertex < static_cast<Id>(this->Mesh.Points.size()); ++vertex)
+      {
+        if (this->Mesh.IsFree[At(vertex)] != 0 && this->Beats.Beat(64))
+        {
+          this->Smooth(vertex);
+        }
+      }
+    }
+    constexpr int MostTrials = 12;
+    for (int round = 0; round < MostTrials && this->Beats.Ask(); ++round)
+    {
+      if (round % 3 == 0)
+      {
+        this->FlipAll(false);
+      }
+      if (!this->MoveWorst(round))
+      {
+        break;
+      }
+    }
+    Id before = 0;
+    for (const double step : { 0.15, 0.05, 0.15, 0.05 })
+    {
+      const Id changes = this->Now;
+      this->Approach(step, before);
+      before = changes;
+    }
+  }
+
+private:
+  /// Numbers of triangles: 6 at free vertices; at others the angle that they have in all, by 60
+  /// degrees, which flips do not change much.
+  void FindIdeals()
+  {
+    std::vector<double> angles(this->Mesh.Points.size(), 0.0);
+    for (std::size_t slot = 0; slot < this->Mesh.Corners.size(); ++slot)
+    {
+      const Point3& place = this->PointOf(slot);
+      const Point3 a = this->PointOf(NextSlotOf(slot)) - place;
+      const Point3 b = this->PointOf(PreviousSlotOf(slot)) - place;
+      angles[At(this->Mesh.Corners[slot])] += std::atan2(Length(Cross(a, b)), Dot(a, b));
+    }
+    for (std::size_t v = 0; v < angles.size(); ++v)
+    {
+      constexpr double Sixty = 1.0471975511965976;
+      this->Ideal[v] = this->Mesh.IsFree[v] != 0
+        ? 6
+        : std::max(static_cast<Id>(std::lround(angles[v] / Sixty)), Id{ 1 });
+    }
+  }
+
+  void FlipAll(bool byDegrees)
+  {
+    constexpr int MostSweeps = 2;
+    bool isChanged = true;
+    if (byDegrees != this->AreByDegrees)
+    {
+      this->Trials.assign(this->Trials.size(), NoId);
+      this->AreByDegrees = byDegrees;
+    }
+    for (int sweep = 0; sweep < MostSweeps && isChanged; ++sweep)
+    {
+      isChanged = false;
+      for (std::size_t slot = 0; slot < this->Mesh.Corners.size(); ++slot)
+      {
+        const Id across = this->Stars.Across(slot);
+        if (across > static_cast<Id>(slot) && this->Beats.Beat(4) && !this->WasTried(slot))
+        {
+          this->Trials[slot] = this->Now;
+          isChanged = this->TryFlip(slot, byDegrees) || isChanged;
+        }
+      }
+    }
+    this->ListSlots();
+  }
+
+  /// Whether nothing at the four vertices has changed since the flip was tried.
+  bool WasTried(std::size_t slot) const
+  {
+    const auto changed = [this](std::size_t s) { return this->Changes[At(this->Mesh.Corners[s])]; };
+    return std::max(std::max(changed(slot), changed(At(this->Stars.Across(slot)))),
+             std::max(changed(NextSlotOf(slot)), changed(PreviousSlotOf(slot)))) <=
+      this->Trials[slot];
+  }
+
+  /// How much better the numbers of triangles at the four vertices are after a flip.
+  Id GainOfDegrees(const std::array<Id, 4>& vertices) const
+  {
+    const auto [a, b, c, d] = vertices;
+    const auto off = [this](Id vertex, Id change)
+    {
+      const Id excess = this->Stars.Degree(vertex) + change - this->Ideal[At(vertex)];
+      return excess * excess;
+    };
+    return off(a, 0) + off(b, 0) + off(c, 0) + off(d, 0) - off(a, 1) - off(b, -1) - off(c, -1) -
+      off(d, 1);
+  }
+
+  bool TryFlip(std::size_t slot, bool byDegrees)
+  {
+    const SurfaceFlip flip = this->FlipAt(slot);
+    const double before = flip.Before();
+    const double after = flip.After();
+    const Id gain = byDegrees ? this->GainOfDegrees(flip.Vertices) : 0;
+    constexpr double Better = 1e-6;
+    constexpr double LeastForDegrees = 0.9063077870366499; // 25 degrees
+    const bool isWanted =
+      gain > 0 ? after <= std::max(before, LeastForDegrees) : gain == 0 && after < before - Better;
+    const bool isPoor = before > GoodCosine && after < before - Better;
+    if ((!isWanted && !isPoor) || (gain > 0 && after > before && after > GoodCosine) ||
+      !this->MayFlip(slot, flip))
+    {
+      return false;
+    }
+    this->Do(slot, flip);
+    return true;
+  }
+
+  void Smooth(Id vertex)
+  {
+    Point3 sum{};
+    double mass = 0.0;
+    for (const Id* s = this->SlotsAt.Begin(vertex); s < this->SlotsAt.End(vertex); ++s)
+    {
+      const Triangle t = this->TriangleAt(At(*s));
+      const double size = this->SizeOf(At(*s) / 3);
+      const double own = Length(Cross(t[1] - t[0], t[2] - t[0])) / (size * size * size * size);
+      sum = sum + (own / 3.0) * (t[0] + t[1] + t[2]);
+      mass += own;
+    }
+    if (mass > 0.0)
+    {
+      this->TryMove(vertex, (1.0 / mass) * sum, GoodCosine);
+    }
+  }
+
+  /// Tries to move the vertices of poor triangles in twelve directions. False where none is better
+  /// for it.
+  bool MoveWorst(int round)
+  {
+    const double step = round % 3 == 0 ? 0.1 : (round % 3 == 1 ? 0.03 : 0.01);
+    bool isChanged = false;
+    for (std::size_t t = 0; t < this->Mesh.Corners.size() / 3; ++t)
+    {
+      if (WorstCosine(this->TriangleAt(3 * t)) >= BadCosine && this->Beats.Beat(8))
+      {
+        isChanged = this->MoveCorners(t, step, false) || isChanged;
+      }
+    }
+    return isChanged || round < 3;
+  }
+
+  /// Tries flips and moves by the step where triangles are far from the ground and something has
+  /// changed since `before`.
+  void Approach(double step, Id before)
+  {
+    std::vector<std::size_t> far;
+    for (std::size_t t = 0; t < this->Mesh.Corners.size() / 3 && this->Beats.Beat(4); ++t)
+    {
+      const Id* corners = &this->Mesh.Corners[3 * t];
+      const bool isNew = std::any_of(corners, corners + 3,
+        [this, before](Id vertex) { return this->Changes[At(vertex)] >= before; });
+      if (isNew && this->DeviationOf(t) > MostDeviation)
       {
         far.push_back(t);
       }
@@ -472,53 +502,42 @@ private:
     {
       for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
       {
-        isChanged = this->FlipToApproach(slot) || isChanged;
+        this->FlipToApproach(slot);
       }
     }
-    this->SlotsAt = PlacesByKey(this->Mesh.Corners, this->Mesh.Points.size());
+    this->ListSlots();
     for (const std::size_t t : far)
     {
       if (this->Beats.Beat(64) && this->DeviationOf(t) > MostDeviation)
       {
-        isChanged = this->MoveCorners(t, round % 2 == 0 ? 0.15 : 0.05, true) || isChanged;
+        this->MoveCorners(t, step, true);
       }
     }
-    return isChanged;
   }
 
-  bool FlipToApproach(std::size_t slot)
+  void FlipToApproach(std::size_t slot)
   {
     if (this->Stars.Across(slot) == NoId)
     {
-      return false;
+      return;
     }
     const SurfaceFlip flip = this->FlipAt(slot);
     const auto [a, b, c, d] = flip.Vertices;
-    const bool isBetter = flip.After() < std::max(flip.Before(), BadCosine) &&
+    if (flip.After() < std::max(flip.Before(), BadCosine) &&
       std::max(this->DeviationOf(flip.NewFirst, { a, b, d }),
         this->DeviationOf(flip.NewSecond, { d, c, a })) <
         std::max(
           this->DeviationOf(flip.First, { a, b, c }), this->DeviationOf(flip.Second, { d, c, b })) -
           Nearer &&
-      this->MayFlip(slot, flip);
-    if (isBetter)
+      this->MayFlip(slot, flip))
     {
       this->Do(slot, flip);
     }
-    return isBetter;
   }
 
-  const SurfaceGround& Ground;
-  RelaxedSurface& Mesh;
-  SurfaceStars Stars;
   Pulse& Beats;
-  std::vector<Id> Ideal;   ///< numbers of triangles
-  std::vector<Id> Changes; ///< of vertices: the number of their last change
-  std::vector<Id> Trials;  ///< of slots: the number of changes before the last trial of a flip
-  GroundPatches Patches;
-  ChainPlaces Places;
-  ListsByKey SlotsAt; ///< of vertices, after the last flip
-  Id Now = 0;         ///< the number of changes
+  std::vector<Id> Ideal;  ///< numbers of triangles
+  std::vector<Id> Trials; ///< of slots: the number of changes before the last trial of a flip
   bool AreByDegrees = false;
 };
 
