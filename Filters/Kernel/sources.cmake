@@ -169,6 +169,7 @@ set(biting_kernel_sources
   Space/Boundary/InsideTest.cxx
   Space/Boundary/SurfaceBoundary.cxx
   Space/Boundary/WholeCheck.cxx
+  Space/Relaxation/ChainPlaces.cxx
   Space/Relaxation/SurfaceRelaxation.cxx
   Space/Relaxation/SurfaceStars.cxx
   Space/Interior/BodySpacing.cxx

@@ -255,6 +255,30 @@ private:
 
 } // namespace
 
+ListsByKey PlacesByKey(const std::vector<Id>& keys, std::size_t count)
+{
+  ListsByKey lists;
+  lists.Offsets.assign(count + 1, 0);
+  lists.Items.resize(keys.size());
+  for (const Id key : keys)
+  {
+    ++lists.Offsets[static_cast<std::size_t>(key)];
+  }
+  Id sum = 0;
+  for (Id& offset : lists.Offsets)
+  {
+    sum += offset;
+    offset = sum;
+  }
+  for (std::size_t place = keys.size(); place-- > 0;)
+  {
+    Id& offset = lists.Offsets[static_cast<std::size_t>(keys[place])];
+    --offset;
+    lists.Items[static_cast<std::size_t>(offset)] = static_cast<Id>(place);
+  }
+  return lists;
+}
+
 double SurfaceGround::SizeAt(Id triangle, const Point3& place) const
 {
   const auto t = static_cast<std::size_t>(triangle);
@@ -340,24 +364,10 @@ void LinkGround(SurfaceGround& ground, Pulse& pulse)
     ground.Across[slot] = isInner ? ground.Across[slot] : NoId;
   }
   pulse.Ask();
-  ground.TrianglesAt.Offsets.assign(ground.Mesh.Points.size() + 1, 0);
-  ground.TrianglesAt.Items.resize(corners.size());
-  std::vector<Id>& offsets = ground.TrianglesAt.Offsets;
-  for (const Id corner : corners)
+  ground.TrianglesAt = PlacesByKey(corners, ground.Mesh.Points.size());
+  for (Id& slot : ground.TrianglesAt.Items)
   {
-    ++offsets[static_cast<std::size_t>(corner)];
-  }
-  Id sum = 0;
-  for (Id& offset : offsets)
-  {
-    sum += offset;
-    offset = sum;
-  }
-  for (std::size_t slot = corners.size(); slot-- > 0;)
-  {
-    Id& offset = offsets[static_cast<std::size_t>(corners[slot])];
-    --offset;
-    ground.TrianglesAt.Items[static_cast<std::size_t>(offset)] = static_cast<Id>(slot / 3);
+    slot /= 3;
   }
 }
 

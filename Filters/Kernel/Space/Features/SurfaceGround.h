@@ -30,6 +30,9 @@ private:
   Id Offset(Id key) const { return this->Offsets[static_cast<std::size_t>(key)]; }
 };
 
+/// By key, the places of `keys` that have it, in order. Keys are below `count`.
+ListsByKey PlacesByKey(const std::vector<Id>& keys, std::size_t count);
+
 /// Chains of feature edges between corners, or closed.
 struct FeatureChains
 {

@@ -22,6 +22,23 @@ namespace biting
 namespace
 {
 
+/// The triangle of the input that is nearest to a place not far from `start`, and its distance.
+std::pair<Id, double> NearestBelow(
+  const SurfaceMesh& input, const BoxTree<SurfaceItem, 3>& tree, Id start, const Point3& place)
+{
+  const auto distanceOf = [&input, &place](Id triangle)
+  { return Distance(NearestPoint(input.Triangle(At(triangle)), place), place); };
+  std::pair<Id, double> nearest{ start, distanceOf(start) };
+  tree.Search(place, 1.0, nearest.second,
+    [&distanceOf, &nearest](const SurfaceItem& item, double limit)
+    {
+      const double distance = distanceOf(item.Triangle);
+      nearest = distance < limit ? std::make_pair(item.Triangle, distance) : nearest;
+      return std::min(limit, distance);
+    });
+  return nearest;
+}
+
 class SurfaceCertifier
 {
 public:
@@ -75,12 +92,18 @@ public:
       }
       before = isDropped ? std::numeric_limits<std::size_t>::max() : faults;
     }
+    for (int round = 0; round < RoundsForFar && isDone && this->MayGoOn() && this->BiteWhereFar();
+         ++round)
+    {
+    }
     return isDone && this->IsCertified() && this->MayGoOn();
   }
 
 private:
   static constexpr int MostRounds = 8;
   static constexpr int RoundsForSoft = 2; ///< in which f was lowered or lines were given up
+  static constexpr int RoundsForFar = 2;
+  static constexpr double LeastFarShare = 0.125; ///< of the given f: no smaller one is halved
 
   void Bite()
   {
@@ -349,14 +372,7 @@ private:
         {
           continue;
         }
-        const Id triangle = this->Bites.Triangles[At(bite)];
-        for (std::size_t slot = 3 * At(triangle); slot < 3 * At(triangle) + 3; ++slot)
-        {
-          double& size = this->Ground.Sizes[At(this->Ground.Mesh.Corners[slot])];
-          const double wanted = 0.5 * this->Bites.Sizes[At(bite)];
-          isLower = isLower || wanted < size;
-          size = std::min(size, wanted);
-        }
+        isLower = this->LowerAt(bite) || isLower;
       }
     }
     if (isLower)
@@ -364,6 +380,99 @@ private:
       this->Regrade();
     }
     return isLower;
+  }
+
+  /// Halves f at the bite.
+  bool LowerAt(Id bite)
+  {
+    bool isLower = false;
+    const Id triangle = this->Bites.Triangles[At(bite)];
+    for (std::size_t slot = 3 * At(triangle); slot < 3 * At(triangle) + 3; ++slot)
+    {
+      double& size = this->Ground.Sizes[At(this->Ground.Mesh.Corners[slot])];
+      const double wanted = 0.5 * this->Bites.Sizes[At(bite)];
+      isLower = isLower || wanted < size;
+      size = std::min(size, wanted);
+    }
+    return isLower;
+  }
+
+  /// f at the bite in units of the given one.
+  double ShareAt(Id bite) const
+  {
+    const Id triangle = this->Bites.Triangles[At(bite)];
+    return this->Bites.Sizes[At(bite)] /
+      this->Ground.Given[At(this->Ground.Mesh.Corners[3 * At(triangle)])];
+  }
+
+  /// Bites anew with half of f where facets are far from the surface: turns too sharp for a quarter
+  /// of the given f. Whether there are any, and the certificates hold again; else all stays.
+  bool BiteWhereFar()
+  {
+    const std::vector<Id> far = this->FindFar();
+    if (far.empty() || 2 * this->Bites.Size() > this->Options.MaximumNumberOfVertices)
+    {
+      return false;
+    }
+    const SurfaceGround ground = this->Ground;
+    const SurfaceBites bites = this->Bites;
+    const SurfaceBoundary boundary = this->Boundary;
+    for (const Id bite : far)
+    {
+      this->LowerAt(bite);
+    }
+    this->Regrade();
+    this->Bite();
+    const bool isBetter = this->Boundary.Offences.empty();
+    if (!isBetter)
+    {
+      this->Ground = ground;
+      this->Bites = bites;
+      this->Boundary = boundary;
+      this->Tree = MakeSurfaceTree(this->Ground.Mesh, this->Beats);
+    }
+    return isBetter;
+  }
+
+  /// The bites at facets whose middles are farther from the surface than twice the tolerance. A
+  /// ridge that turns by FeatureAngle is .14 edges from a facet across it, however small that is.
+  std::vector<Id> FindFar()
+  {
+    constexpr std::size_t CheapSteps = 31;
+    const std::size_t facets = this->Boundary.Triangles.size();
+    const std::vector<Id>& corners = this->Boundary.Corners;
+    std::vector<std::uint8_t> isFar(facets, 0);
+    ForRowsAtOnce(this->Beats, facets, CheapSteps,
+      [this, &corners, &isFar](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t t = begin; t < end; ++t)
+        {
+          Point3 middle{};
+          double size = 0.0;
+          double least = Infinity;
+          for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
+          {
+            const std::size_t bite = At(corners[slot]);
+            middle = middle + (1.0 / 3.0) * this->Bites.Centers[bite];
+            size += this->Bites.Sizes[bite] / 3.0;
+            least = std::min(least, this->ShareAt(corners[slot]));
+          }
+          isFar[t] = least > LeastFarShare &&
+              NearestBelow(this->Surface.Mesh, this->Tree, this->Boundary.Triangles[t], middle).second >
+                2.0 * this->Options.BoundaryTolerance * size
+            ? 1
+            : 0;
+        }
+      });
+    std::vector<Id> far;
+    for (std::size_t slot = 0; slot < corners.size(); ++slot)
+    {
+      if (isFar[slot / 3] != 0)
+      {
+        far.push_back(corners[slot]);
+      }
+    }
+    return this->Options.BoundaryTolerance > 0.0 ? far : std::vector<Id>();
   }
 
   const CheckedSurface& Surface;
@@ -388,19 +497,8 @@ void MeasureTriangle(const SurfaceMesh& input, const CertifiedSurface& certified
     middle = middle + (1.0 / 3.0) * mesh.Points[At(mesh.Corners[slot])];
     size += mesh.Spacing[At(mesh.Corners[slot])] / 3.0;
   }
-  const auto distanceOf = [&input, &middle](Id triangle)
-  { return Distance(NearestPoint(input.Triangle(At(triangle)), middle), middle); };
-  Id nearest = // not far
-    certified.Ground.Mesh.Cells[At(certified.Bites.Triangles[At(mesh.Corners[3 * t])])];
-  double least = distanceOf(nearest);
-  certified.Tree.Search(middle, 1.0, least,
-    [&distanceOf, &nearest, &least](const SurfaceItem& item, double limit)
-    {
-      const double distance = distanceOf(item.Triangle);
-      nearest = distance < limit ? item.Triangle : nearest;
-      least = std::min(limit, distance);
-      return least;
-    });
+  const auto [nearest, least] = NearestBelow(input, certified.Tree,
+    certified.Ground.Mesh.Cells[At(certified.Bites.Triangles[At(mesh.Corners[3 * t])])], middle);
   mesh.Deviations[t] = least / size;
   mesh.Triangles[t] = nearest;
   mesh.Regions[t] = options.Regions.empty() ? 0 : options.Regions[At(mesh.Triangles[t])];

@@ -30,10 +30,17 @@ std::vector<TriangleSides> SidesOf(const CheckedSurface& surface)
 void Relax(const CertifiedSurface& certified, bool isWanted, BitingSurface& mesh, Pulse& pulse)
 {
   const SurfaceBites& bites = certified.Bites;
-  RelaxedSurface relaxed{ bites.Centers, bites.Sizes, bites.Triangles, {},
+  RelaxedSurface relaxed{ bites.Centers, bites.Sizes, bites.Triangles, {}, {},
     certified.Boundary.Corners };
   relaxed.IsFree.assign(relaxed.Points.size(), 1);
   std::fill_n(relaxed.IsFree.begin(), bites.NumberOnLines, std::uint8_t{ 0 });
+  relaxed.Chains.assign(relaxed.Points.size(), NoId);
+  for (std::size_t end = 0; end < bites.PieceEnds.size(); ++end)
+  {
+    const Id bite = bites.PieceEnds[end];
+    const Id chain = bites.PieceChains[end / 2];
+    relaxed.Chains[At(bite)] = bite < bites.NumberOfCorners ? NoId : chain;
+  }
   if (isWanted)
   {
     RelaxedSurface given = relaxed;

@@ -3,10 +3,12 @@
 
 #include "SurfaceRelaxation.h"
 
+#include "../../Base/Numbers.h"
 #include "../Features/GroundPatches.h"
+#include "ChainPlaces.h"
 #include "SurfaceStars.h"
 
-#include <algorithm> // for min, max
+#include <algorithm> // for any_of, min, max
 #include <array>     // for triangles
 #include <cmath>     // for sqrt
 
@@ -21,19 +23,304 @@ constexpr double GoodCosine = 0.8191520442889918;     // 35 degrees
 constexpr double BadCosine = 0.7880107536067220;      // 38 degrees
 constexpr double LeastAgreement = 0.6427876096865394; // 50 degrees
 
-class SurfaceRelaxer
+// In f, of middles of triangles from the ground.
+constexpr double MostDeviation = 0.08;
+constexpr double Nearer = 1e-3; ///< by as much at least, steps approach the ground
+
+using Triangle = std::array<Point3, 3>;
+
+/// The cosine of the smallest angle, which is opposite the shortest side.
+double WorstCosine(const Triangle& t)
 {
-public:
-  SurfaceRelaxer(
+  std::array<double, 3> sides{};
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Point3 side = t[(k + 2) % 3] - t[(k + 1) % 3];
+    sides[k] = Dot(side, side);
+  }
+  const double least = std::min(sides[0], std::min(sides[1], sides[2]));
+  const double most = std::max(sides[0], std::max(sides[1], sides[2]));
+  const double middle = sides[0] + sides[1] + sides[2] - least - most;
+  return middle > 0.0 ? 0.5 * (middle + most - least) / std::sqrt(middle * most) : 1.0;
+}
+
+Point3 UnitNormal(const Triangle& t)
+{
+  const Point3 normal = Cross(t[1] - t[0], t[2] - t[0]);
+  const double length = Length(normal);
+  return length > 0.0 ? (1.0 / length) * normal : Point3{};
+}
+
+/// The other diagonal of two triangles (a, b, c) and (d, c, b): (a, b, d) and (d, c, a).
+struct SurfaceFlip
+{
+  std::array<Id, 4> Vertices; ///< a, b, c, d
+  Triangle First;
+  Triangle Second;
+  Triangle NewFirst;
+  Triangle NewSecond;
+
+  double Before() const { return std::max(WorstCosine(this->First), WorstCosine(this->Second)); }
+  double After() const
+  {
+    return std::max(WorstCosine(this->NewFirst), WorstCosine(this->NewSecond));
+  }
+};
+
+/// A mesh that is relaxed, and the steps that keep the laws of RelaxSurface.
+class SurfaceSteps
+{
+protected:
+  SurfaceSteps(
     const SurfaceGround& ground, const std::vector<Id>& pieces, RelaxedSurface& mesh, Pulse& pulse)
     : Ground(ground)
     , Mesh(mesh)
     , Stars(mesh.Corners, mesh.Points.size(), pieces, pulse)
+    , Changes(mesh.Points.size(), 0)
+    , Patches(ground)
+    , Places(ground, mesh.Chains, mesh.Points)
+  {
+  }
+
+  const Point3& PointOf(std::size_t slot) const
+  {
+    return this->Mesh.Points[At(this->Mesh.Corners[slot])];
+  }
+
+  Triangle TriangleAt(std::size_t slot) const
+  {
+    return { this->PointOf(slot), this->PointOf(NextSlotOf(slot)),
+      this->PointOf(PreviousSlotOf(slot)) };
+  }
+
+  /// The mean of f at the corners of the triangle.
+  double SizeOf(std::size_t triangle) const
+  {
+    const Id* corners = &this->Mesh.Corners[3 * triangle];
+    return (this->Mesh.Sizes[At(corners[0])] + this->Mesh.Sizes[At(corners[1])] +
+             this->Mesh.Sizes[At(corners[2])]) /
+      3.0;
+  }
+
+  SurfaceFlip FlipAt(std::size_t slot) const
+  {
+    const auto other = At(this->Stars.Across(slot));
+    SurfaceFlip flip{ { this->Mesh.Corners[slot], this->Mesh.Corners[NextSlotOf(slot)],
+                        this->Mesh.Corners[PreviousSlotOf(slot)], this->Mesh.Corners[other] },
+      this->TriangleAt(slot), this->TriangleAt(other), {}, {} };
+    flip.NewFirst = { flip.First[0], flip.First[1], flip.Second[0] };
+    flip.NewSecond = { flip.Second[0], flip.First[2], flip.First[0] };
+    return flip;
+  }
+
+  bool MayFlip(std::size_t slot, const SurfaceFlip& flip) const
+  {
+    const auto [a, b, c, d] = flip.Vertices;
+    const Point3 old = UnitNormal(flip.First) + UnitNormal(flip.Second);
+    const Point3 mean = (1.0 / std::max(Length(old), 1e-300)) * old;
+    return this->Stars.Degree(b) > 3 && this->Stars.Degree(c) > 3 && !this->IsEdge(slot, a, d) &&
+      this->Agrees(flip.NewFirst, { a, b, d }, mean) &&
+      this->Agrees(flip.NewSecond, { d, c, a }, mean);
+  }
+
+  void Do(std::size_t slot, const SurfaceFlip& flip)
+  {
+    this->Stars.Flip(slot);
+    ++this->Now;
+    for (const Id vertex : flip.Vertices)
+    {
+      this->Changes[At(vertex)] = this->Now;
+    }
+  }
+
+  /// Whether a and d, the apexes at an edge, have an edge already. At vertices of features that is
+  /// not known, and taken for so if both are such.
+  bool IsEdge(std::size_t slot, Id a, Id d) const
+  {
+    const bool isAFree = this->Mesh.IsFree[At(a)] != 0;
+    if (!isAFree && this->Mesh.IsFree[At(d)] == 0)
+    {
+      return true;
+    }
+    const Id vertex = isAFree ? a : d;
+    const Id other = isAFree ? d : a;
+    bool isEdge = slot == this->Mesh.Corners.size();
+    this->Stars.ForStar(vertex,
+      [this, other, &isEdge](std::size_t s)
+      { isEdge = isEdge || this->Mesh.Corners[NextSlotOf(s)] == other; });
+    return isEdge;
+  }
+
+  /// Whether a new triangle agrees with the ground under its free corners, and with the normal of
+  /// an old one there.
+  bool Agrees(const Triangle& triangle, const std::array<Id, 3>& vertices, const Point3& old) const
+  {
+    const Point3 normal = UnitNormal(triangle);
+    bool agrees = Dot(normal, old) > LeastAgreement;
+    for (const Id vertex : vertices)
+    {
+      agrees = agrees &&
+        (this->Mesh.IsFree[At(vertex)] == 0 ||
+          Dot(normal, this->Ground.NormalOf(At(this->Mesh.Triangles[At(vertex)]))) >
+            LeastAgreement);
+    }
+    return agrees;
+  }
+
+  /// After flips.
+  void ListSlots() { this->SlotsAt = PlacesByKey(this->Mesh.Corners, this->Mesh.Points.size()); }
+
+  /// Moves the vertex to the place on the ground, or on its chain, if no triangle of its star is
+  /// worse then than the worst one was, or than `good`, and none as far from the ground as `far`.
+  bool TryMove(Id vertex, const Point3& wanted, double good, double far = Infinity)
+  {
+    const bool isFree = this->Mesh.IsFree[At(vertex)] != 0;
+    const Point3 oldPlace = this->Mesh.Points[At(vertex)];
+    const Id oldTriangle = this->Mesh.Triangles[At(vertex)];
+    ChainPlace place{};
+    if (isFree)
+    {
+      const GroundPlace onPatch = this->Patches.Project(oldTriangle, wanted);
+      this->Mesh.Triangles[At(vertex)] = onPatch.Triangle;
+      place.Place = onPatch.Place;
+    }
+    else
+    {
+      place = this->Places.Project(vertex, wanted);
+    }
+    double before = 0.0;
+    double after = 0.0;
+    bool agrees = true;
+    for (const Id* s = this->SlotsAt.Begin(vertex); s < this->SlotsAt.End(vertex); ++s)
+    {
+      const std::size_t slot = At(*s);
+      Triangle t = this->TriangleAt(slot);
+      before = std::max(before, WorstCosine(t));
+      const Point3 normal = UnitNormal(t);
+      t[0] = place.Place;
+      after = std::max(after, WorstCosine(t));
+      agrees = agrees &&
+        this->Agrees(t,
+          { vertex, this->Mesh.Corners[NextSlotOf(slot)],
+            this->Mesh.Corners[PreviousSlotOf(slot)] },
+          normal);
+    }
+    constexpr double Better = 1e-9;
+    const bool isBetter = agrees && after < std::max(before - Better, good);
+    this->Mesh.Points[At(vertex)] = place.Place;
+    if (isBetter && (far == Infinity || this->DeviationAt(vertex) < far))
+    {
+      this->Changes[At(vertex)] = ++this->Now;
+      if (isFree)
+      {
+        this->Mesh.Sizes[At(vertex)] =
+          this->Ground.SizeAt(this->Mesh.Triangles[At(vertex)], place.Place);
+      }
+      else
+      {
+        this->Places.Move(vertex, place.Edge);
+      }
+      return true;
+    }
+    this->Mesh.Points[At(vertex)] = oldPlace;
+    this->Mesh.Triangles[At(vertex)] = oldTriangle;
+    return false;
+  }
+
+  /// Tries to move the corners of the triangle by the step, in f: free ones in twelve directions.
+  bool MoveCorners(std::size_t t, double step, bool toApproach)
+  {
+    bool isChanged = false;
+    for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
+    {
+      const Id vertex = this->Mesh.Corners[slot];
+      const bool isFree = this->Mesh.IsFree[At(vertex)] != 0;
+      if (!isFree && !this->Places.IsOn(vertex))
+      {
+        continue;
+      }
+      const double length = step * this->Mesh.Sizes[At(vertex)];
+      const Point3 u = length * (isFree ? this->TangentAt(slot) : this->Places.DirectionAt(vertex));
+      const Point3 v =
+        isFree ? Cross(this->Ground.NormalOf(At(this->Mesh.Triangles[At(vertex)])), u) : Point3{};
+      const int directions = isFree ? 12 : 2;
+      double far = toApproach ? this->DeviationAt(vertex) - Nearer : Infinity;
+      for (int k = 0; k < directions; ++k)
+      {
+        const double angle = k * 6.283185307179586 / directions;
+        const Point3 place =
+          this->Mesh.Points[At(vertex)] + std::cos(angle) * u + std::sin(angle) * v;
+        if (this->TryMove(vertex, place, toApproach ? BadCosine : 0.0, far))
+        {
+          isChanged = true;
+          far = toApproach ? this->DeviationAt(vertex) - Nearer : far;
+        }
+      }
+    }
+    return isChanged;
+  }
+
+  /// At a free vertex: of length 1, across the side that follows.
+  Point3 TangentAt(std::size_t slot) const
+  {
+    const Point3& normal =
+      this->Ground.NormalOf(At(this->Mesh.Triangles[At(this->Mesh.Corners[slot])]));
+    const Point3 across = Cross(normal, this->PointOf(NextSlotOf(slot)) - this->PointOf(slot));
+    return (1.0 / std::max(Length(across), 1e-300)) * across;
+  }
+
+  /// Distance of the middle of a triangle from the patch of a free corner, in f. 0 without one.
+  double DeviationOf(const Triangle& triangle, const std::array<Id, 3>& vertices) const
+  {
+    double size = 0.0;
+    Id start = NoId;
+    for (const Id vertex : vertices)
+    {
+      size += this->Mesh.Sizes[At(vertex)] / 3.0;
+      start = this->Mesh.IsFree[At(vertex)] != 0 ? this->Mesh.Triangles[At(vertex)] : start;
+    }
+    const Point3 middle = (1.0 / 3.0) * (triangle[0] + triangle[1] + triangle[2]);
+    return start == NoId ? 0.0
+                         : Distance(this->Patches.Project(start, middle).Place, middle) / size;
+  }
+
+  double DeviationOf(std::size_t t) const
+  {
+    return this->DeviationOf(this->TriangleAt(3 * t),
+      { this->Mesh.Corners[3 * t], this->Mesh.Corners[3 * t + 1], this->Mesh.Corners[3 * t + 2] });
+  }
+
+  /// The largest one of the triangles at the vertex.
+  double DeviationAt(Id vertex) const
+  {
+    double most = 0.0;
+    for (const Id* s = this->SlotsAt.Begin(vertex); s < this->SlotsAt.End(vertex); ++s)
+    {
+      most = std::max(most, this->DeviationOf(At(*s) / 3));
+    }
+    return most;
+  }
+
+  const SurfaceGround& Ground;
+  RelaxedSurface& Mesh;
+  SurfaceStars Stars;
+  std::vector<Id> Changes; ///< of vertices: the number of their last change
+  Id Now = 0;              ///< the number of changes
+  GroundPatches Patches;
+  ChainPlaces Places;
+  ListsByKey SlotsAt; ///< of vertices
+};
+
+/// The order of the steps.
+class SurfaceRelaxer : private SurfaceSteps
+{
+public:
+  SurfaceRelaxer(
+    const SurfaceGround& ground, const std::vector<Id>& pieces, RelaxedSurface& mesh, Pulse& pulse)
+    : SurfaceSteps(ground, pieces, mesh, pulse)
     , Beats(pulse)
     , Ideal(mesh.Points.size(), 6)
-    , Changes(mesh.Points.size(), 0)
     , Trials(mesh.Corners.size(), NoId)
-    , Patches(ground)
   {
     this->FindIdeals();
   }
@@ -64,6 +351,13 @@ public:
         break;
       }
     }
+    Id before = 0;
+    for (const double step : { 0.15, 0.05, 0.15, 0.05 })
+    {
+      const Id changes = this->Now;
+      this->Approach(step, before);
+      before = changes;
+    }
   }
 
 private:
@@ -88,57 +382,6 @@ private:
     }
   }
 
-  const Point3& PointOf(std::size_t slot) const
-  {
-    return this->Mesh.Points[At(this->Mesh.Corners[slot])];
-  }
-
-  using Triangle = std::array<Point3, 3>;
-
-  Triangle TriangleAt(std::size_t slot) const
-  {
-    return { this->PointOf(slot), this->PointOf(NextSlotOf(slot)),
-      this->PointOf(PreviousSlotOf(slot)) };
-  }
-
-  /// The cosine of the smallest angle, which is opposite the shortest side.
-  static double WorstCosine(const Triangle& t)
-  {
-    std::array<double, 3> sides{};
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const Point3 side = t[(k + 2) % 3] - t[(k + 1) % 3];
-      sides[k] = Dot(side, side);
-    }
-    const double least = std::min(sides[0], std::min(sides[1], sides[2]));
-    const double most = std::max(sides[0], std::max(sides[1], sides[2]));
-    const double middle = sides[0] + sides[1] + sides[2] - least - most;
-    return middle > 0.0 ? 0.5 * (middle + most - least) / std::sqrt(middle * most) : 1.0;
-  }
-
-  static Point3 UnitNormal(const Triangle& t)
-  {
-    const Point3 normal = Cross(t[1] - t[0], t[2] - t[0]);
-    const double length = Length(normal);
-    return length > 0.0 ? (1.0 / length) * normal : Point3{};
-  }
-
-  /// Whether a new triangle agrees with the ground under its free corners, and with the normal of
-  /// an old one there.
-  bool Agrees(const Triangle& triangle, const std::array<Id, 3>& vertices, const Point3& old) const
-  {
-    const Point3 normal = UnitNormal(triangle);
-    bool agrees = Dot(normal, old) > LeastAgreement;
-    for (const Id vertex : vertices)
-    {
-      agrees = agrees &&
-        (this->Mesh.IsFree[At(vertex)] == 0 ||
-          Dot(normal, this->Ground.NormalOf(At(this->Mesh.Triangles[At(vertex)]))) >
-            LeastAgreement);
-    }
-    return agrees;
-  }
-
   void FlipAll(bool byDegrees)
   {
     constexpr int MostSweeps = 2;
@@ -161,6 +404,7 @@ private:
         }
       }
     }
+    this->ListSlots();
   }
 
   /// Whether nothing at the four vertices has changed since the flip was tried.
@@ -173,8 +417,9 @@ private:
   }
 
   /// How much better the numbers of triangles at the four vertices are after a flip.
-  Id GainOfDegrees(Id a, Id b, Id c, Id d) const
+  Id GainOfDegrees(const std::array<Id, 4>& vertices) const
   {
+    const auto [a, b, c, d] = vertices;
     const auto off = [this](Id vertex, Id change)
     {
       const Id excess = this->Stars.Degree(vertex) + change - this->Ideal[At(vertex)];
@@ -186,169 +431,113 @@ private:
 
   bool TryFlip(std::size_t slot, bool byDegrees)
   {
-    const auto other = At(this->Stars.Across(slot));
-    const Id a = this->Mesh.Corners[slot];
-    const Id b = this->Mesh.Corners[NextSlotOf(slot)];
-    const Id c = this->Mesh.Corners[PreviousSlotOf(slot)];
-    const Id d = this->Mesh.Corners[other];
-    const Triangle first = this->TriangleAt(slot);
-    const Triangle second = this->TriangleAt(other);
-    const Triangle newFirst{ first[0], first[1], second[0] };
-    const Triangle newSecond{ second[0], first[2], first[0] };
-    const double before = std::max(WorstCosine(first), WorstCosine(second));
-    const double after = std::max(WorstCosine(newFirst), WorstCosine(newSecond));
-    const Id gain = byDegrees ? this->GainOfDegrees(a, b, c, d) : 0;
+    const SurfaceFlip flip = this->FlipAt(slot);
+    const double before = flip.Before();
+    const double after = flip.After();
+    const Id gain = byDegrees ? this->GainOfDegrees(flip.Vertices) : 0;
     constexpr double Better = 1e-6;
     constexpr double LeastForDegrees = 0.9063077870366499; // 25 degrees
     const bool isWanted =
       gain > 0 ? after <= std::max(before, LeastForDegrees) : gain == 0 && after < before - Better;
     const bool isPoor = before > GoodCosine && after < before - Better;
     if ((!isWanted && !isPoor) || (gain > 0 && after > before && after > GoodCosine) ||
-      this->Stars.Degree(b) <= 3 || this->Stars.Degree(c) <= 3)
+      !this->MayFlip(slot, flip))
     {
       return false;
     }
-    const Point3 old = UnitNormal(first) + UnitNormal(second);
-    const Point3 mean = (1.0 / std::max(Length(old), 1e-300)) * old;
-    if (this->IsEdge(slot, a, d) || !this->Agrees(newFirst, { a, b, d }, mean) ||
-      !this->Agrees(newSecond, { d, c, a }, mean))
-    {
-      return false;
-    }
-    this->Stars.Flip(slot);
-    ++this->Now;
-    for (const Id vertex : { a, b, c, d })
-    {
-      this->Changes[At(vertex)] = this->Now;
-    }
+    this->Do(slot, flip);
     return true;
-  }
-
-  /// Whether a and d, the apexes at an edge, have an edge already. At vertices of features that is
-  /// not known, and taken for so if both are such.
-  bool IsEdge(std::size_t slot, Id a, Id d) const
-  {
-    const bool isAFree = this->Mesh.IsFree[At(a)] != 0;
-    if (!isAFree && this->Mesh.IsFree[At(d)] == 0)
-    {
-      return true;
-    }
-    const Id vertex = isAFree ? a : d;
-    const Id other = isAFree ? d : a;
-    bool isEdge = slot == this->Mesh.Corners.size();
-    this->Stars.ForStar(vertex,
-      [this, other, &isEdge](std::size_t s)
-      { isEdge = isEdge || this->Mesh.Corners[NextSlotOf(s)] == other; });
-    return isEdge;
   }
 
   void Smooth(Id vertex)
   {
     Point3 sum{};
     double mass = 0.0;
-    this->Stars.ForStar(vertex,
-      [this, &sum, &mass](std::size_t slot)
-      {
-        const Triangle t = this->TriangleAt(slot);
-        const double size = (this->SizeOf(slot) + this->SizeOf(NextSlotOf(slot)) +
-                              this->SizeOf(PreviousSlotOf(slot))) /
-          3.0;
-        const double own = Length(Cross(t[1] - t[0], t[2] - t[0])) / (size * size * size * size);
-        sum = sum + (own / 3.0) * (t[0] + t[1] + t[2]);
-        mass += own;
-      });
+    for (const Id* s = this->SlotsAt.Begin(vertex); s < this->SlotsAt.End(vertex); ++s)
+    {
+      const Triangle t = this->TriangleAt(At(*s));
+      const double size = this->SizeOf(At(*s) / 3);
+      const double own = Length(Cross(t[1] - t[0], t[2] - t[0])) / (size * size * size * size);
+      sum = sum + (own / 3.0) * (t[0] + t[1] + t[2]);
+      mass += own;
+    }
     if (mass > 0.0)
     {
       this->TryMove(vertex, (1.0 / mass) * sum, GoodCosine);
     }
   }
 
-  double SizeOf(std::size_t slot) const { return this->Mesh.Sizes[At(this->Mesh.Corners[slot])]; }
-
-  /// Moves the vertex to the place on the ground if no triangle of its star is worse then than the
-  /// worst one was, or than `good`.
-  bool TryMove(Id vertex, const Point3& wanted, double good)
-  {
-    const GroundPlace place = this->Patches.Project(this->Mesh.Triangles[At(vertex)], wanted);
-    double before = 0.0;
-    double after = 0.0;
-    bool agrees = true;
-    const GroundPlace old{ this->Mesh.Triangles[At(vertex)], this->Mesh.Points[At(vertex)] };
-    this->Mesh.Triangles[At(vertex)] = place.Triangle;
-    this->Stars.ForStar(vertex,
-      [this, &place, &before, &after, &agrees](std::size_t slot)
-      {
-        Triangle t = this->TriangleAt(slot);
-        before = std::max(before, WorstCosine(t));
-        const Point3 normal = UnitNormal(t);
-        t[0] = place.Place;
-        after = std::max(after, WorstCosine(t));
-        agrees = agrees &&
-          this->Agrees(t,
-            { this->Mesh.Corners[slot], this->Mesh.Corners[NextSlotOf(slot)],
-              this->Mesh.Corners[PreviousSlotOf(slot)] },
-            normal);
-      });
-    constexpr double Better = 1e-9;
-    if (agrees && after < std::max(before - Better, good))
-    {
-      this->Changes[At(vertex)] = ++this->Now;
-      this->Mesh.Points[At(vertex)] = place.Place;
-      this->Mesh.Sizes[At(vertex)] = this->Ground.SizeAt(place.Triangle, place.Place);
-      return true;
-    }
-    this->Mesh.Triangles[At(vertex)] = old.Triangle;
-    return false;
-  }
-
-  /// Tries to move the free vertices of poor triangles in twelve directions. False where none is
-  /// better for it.
+  /// Tries to move the vertices of poor triangles in twelve directions. False where none is better
+  /// for it.
   bool MoveWorst(int round)
   {
-    constexpr int Directions = 12;
+    const double step = round % 3 == 0 ? 0.1 : (round % 3 == 1 ? 0.03 : 0.01);
     bool isChanged = false;
     for (std::size_t t = 0; t < this->Mesh.Corners.size() / 3; ++t)
     {
-      if (WorstCosine(this->TriangleAt(3 * t)) < BadCosine || !this->Beats.Beat(8))
+      if (WorstCosine(this->TriangleAt(3 * t)) >= BadCosine && this->Beats.Beat(8))
       {
-        continue;
-      }
-      for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
-      {
-        const Id vertex = this->Mesh.Corners[slot];
-        if (this->Mesh.IsFree[At(vertex)] == 0)
-        {
-          continue;
-        }
-        const Point3& normal = this->Ground.NormalOf(At(this->Mesh.Triangles[At(vertex)]));
-        const Point3 side = this->PointOf(NextSlotOf(slot)) - this->PointOf(slot);
-        const Point3 across = Cross(normal, side);
-        const double length = Length(across);
-        const double step =
-          (round % 3 == 0 ? 0.1 : (round % 3 == 1 ? 0.03 : 0.01)) * this->Mesh.Sizes[At(vertex)];
-        const Point3 v = (step / std::max(length, 1e-300)) * across;
-        const Point3 u = Cross(v, normal);
-        for (int k = 0; k < Directions; ++k)
-        {
-          const double angle = k * 0.5235987755982988;
-          const Point3 place =
-            this->Mesh.Points[At(vertex)] + std::cos(angle) * u + std::sin(angle) * v;
-          isChanged = this->TryMove(vertex, place, 0.0) || isChanged;
-        }
+        isChanged = this->MoveCorners(t, step, false) || isChanged;
       }
     }
     return isChanged || round < 3;
   }
 
-  const SurfaceGround& Ground;
-  RelaxedSurface& Mesh;
-  SurfaceStars Stars;
+  /// Tries flips and moves by the step where triangles are far from the ground and something has
+  /// changed since `before`.
+  void Approach(double step, Id before)
+  {
+    std::vector<std::size_t> far;
+    for (std::size_t t = 0; t < this->Mesh.Corners.size() / 3 && this->Beats.Beat(4); ++t)
+    {
+      const Id* corners = &this->Mesh.Corners[3 * t];
+      const bool isNew = std::any_of(corners, corners + 3,
+        [this, before](Id vertex) { return this->Changes[At(vertex)] >= before; });
+      if (isNew && this->DeviationOf(t) > MostDeviation)
+      {
+        far.push_back(t);
+      }
+    }
+    for (const std::size_t t : far)
+    {
+      for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
+      {
+        this->FlipToApproach(slot);
+      }
+    }
+    this->ListSlots();
+    for (const std::size_t t : far)
+    {
+      if (this->Beats.Beat(64) && this->DeviationOf(t) > MostDeviation)
+      {
+        this->MoveCorners(t, step, true);
+      }
+    }
+  }
+
+  void FlipToApproach(std::size_t slot)
+  {
+    if (this->Stars.Across(slot) == NoId)
+    {
+      return;
+    }
+    const SurfaceFlip flip = this->FlipAt(slot);
+    const auto [a, b, c, d] = flip.Vertices;
+    if (flip.After() < std::max(flip.Before(), BadCosine) &&
+      std::max(this->DeviationOf(flip.NewFirst, { a, b, d }),
+        this->DeviationOf(flip.NewSecond, { d, c, a })) <
+        std::max(
+          this->DeviationOf(flip.First, { a, b, c }), this->DeviationOf(flip.Second, { d, c, b })) -
+          Nearer &&
+      this->MayFlip(slot, flip))
+    {
+      this->Do(slot, flip);
+    }
+  }
+
   Pulse& Beats;
-  std::vector<Id> Ideal;   ///< numbers of triangles
-  std::vector<Id> Changes; ///< of vertices: the number of their last change
-  std::vector<Id> Trials;  ///< of slots: the number of changes before the last trial of a flip
-  GroundPatches Patches;
-  Id Now = 0; ///< the number of changes
+  std::vector<Id> Ideal;  ///< numbers of triangles
+  std::vector<Id> Trials; ///< of slots: the number of changes before the last trial of a flip
   bool AreByDegrees = false;
 };
 

@@ -292,6 +292,69 @@ TEST(SurfaceMesher, DividesLinesAlongEachOtherInTurn)
   EXPECT_NEAR(LengthOfLines(meshed.Mesh), 24.15, 1e-11); // vertices of lines are on them
 }
 
+TEST(SurfaceMesher, SlidesVerticesAlongLinesNearEachOther)
+{
+  // A step as wide as a quarter of f as used: with aligned vertices angles of 13 degrees.
+  const Meshed meshed = MakeMesh(Turned({ { 0.0, 0.0 }, { 0.6, 0.0 }, { 0.6, 0.3 }, { 0.588, 0.3 },
+                                          { 0.588, 0.6 }, { 0.0, 0.6 } },
+                                   96),
+    Uniform(0.2));
+  ASSERT_FALSE(meshed.Problems.HasErrors());
+  EXPECT_TRUE(IsClosed(meshed.Mesh));
+  EXPECT_EQ(EulerNumber(meshed.Mesh), 2);
+  EXPECT_GT(SmallestAngle(meshed), 22.0);
+  for (std::size_t v = 0; v < meshed.Mesh.Points.size(); ++v)
+  {
+    const Point3& p = meshed.Mesh.Points[v];
+    const bool isOnRing = std::abs(p.Z - 0.3) < 1e-12 && std::hypot(p.X, p.Y) > 0.585;
+    EXPECT_TRUE(!isOnRing || meshed.Mesh.Kinds[v] == SurfaceVertexKind::Line) << v;
+  }
+}
+
+TEST(SurfaceMesher, ApproachesFacesThatTurnByLessThanTheFeatureAngle)
+{
+  // A column of ten faces that turn by 36 degrees.
+  const Soup column = Turned({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } }, 10);
+  SurfaceMesherOptions options = Uniform(0.25);
+  const auto far = [&column, &options]
+  {
+    const BitingSurface mesh = MakeMesh(column, options).Mesh;
+    return std::count_if(mesh.Deviations.begin(), mesh.Deviations.end(),
+      [](double deviation) { return deviation > 0.08; });
+  };
+  const auto relaxed = far();
+  options.Relaxation = false;
+  EXPECT_LT(3 * relaxed, far());
+  options.Relaxation = true;
+  EXPECT_GT(SmallestAngle(MakeMesh(column, options)), 30.0);
+}
+
+TEST(SurfaceMesher, LowersTheSpacingAtRoundingsTooSharpForAQuarterOfIt)
+{
+  // A cube with an edge rounded by .03 f.
+  constexpr double radius = 0.01;
+  std::vector<std::array<double, 2>> polygon{ { 0.0, 0.0 }, { 1.0, 0.0 } };
+  for (int k = 0; k <= 8; ++k)
+  {
+    const double angle = 1.5707963267948966 * k / 8;
+    polygon.push_back(
+      { 1.0 - radius + radius * std::cos(angle), 1.0 - radius + radius * std::sin(angle) });
+  }
+  polygon.push_back({ 0.0, 1.0 });
+  const Meshed meshed = MakeMesh(Prism(polygon, { 0.5, 0.5, 0.0 }), Uniform(0.3));
+  ASSERT_FALSE(meshed.Problems.HasErrors());
+  EXPECT_TRUE(IsClosed(meshed.Mesh));
+  for (std::size_t t = 0; t < meshed.Triangles(); ++t)
+  {
+    double size = 0.0;
+    for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
+    {
+      size += meshed.Mesh.Spacing[static_cast<std::size_t>(meshed.Mesh.Corners[slot])] / 3.0;
+    }
+    EXPECT_LT(meshed.Mesh.Deviations[t] * size, 0.08 * 0.3) << t;
+  }
+}
+
 TEST(SurfaceMesher, MeshesABoxWithItsEdgesAndCorners)
 {
   const Meshed meshed = MakeMesh(BoxOf({ 1.0, 1.0, 1.0 }), Uniform(0.1));
