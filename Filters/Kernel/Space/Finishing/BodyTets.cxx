@@ -3,7 +3,7 @@
 
 #include "BodyTets.h"
 
-#include <algorithm> // for sort, min, max
+#include <algorithm> // for fill_n, find_if, replace, sort
 #include <utility>   // for move
 
 namespace biting
@@ -12,22 +12,21 @@ namespace biting
 BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
   : Body(body)
   , NumberOfGiven(static_cast<Id>(body.Points.size()))
-  , FacetSlots(2 * body.FacetTags.size(), NoId)
-  , KeptEnds(body.Points.size(),
-      [&body](const auto& add)
-      {
-        for (std::size_t k = 0; k < body.PieceEnds.size(); k += 2)
-        {
-          add(std::min(body.PieceEnds[k], body.PieceEnds[k + 1]),
-            std::max(body.PieceEnds[k], body.PieceEnds[k + 1]));
-        }
-      })
+  , FacetSlots(2 * body.FacetPlaces.size(), NoId)
+  , Kinds(body.Points.size(), Kind::Inside)
+  , LinePieces(At(body.NumberOnLines))
 {
   this->Mesh.Points = std::move(body.Points);
   this->Mesh.Corners = std::move(body.Corners);
   this->Mesh.Labels = std::move(body.Regions);
   this->Mesh.Twins.assign(this->Mesh.Corners.size(), NoId);
   this->Mesh.VertexCells.assign(this->Mesh.Points.size(), NoId);
+  std::fill_n(this->Kinds.begin(), body.NumberOnBoundary, Kind::OnPatch);
+  std::fill_n(this->Kinds.begin(), body.NumberOnLines, Kind::OnLine);
+  for (std::size_t k = 0; k < body.PieceEnds.size(); ++k)
+  {
+    this->LinePieces[At(body.PieceEnds[k])].push_back(static_cast<Id>(k / 2));
+  }
   this->LinkAll(pulse);
   this->Touched.assign(this->Mesh.Points.size(), 0);
   this->TriedMoves.assign(this->Mesh.Points.size(), 0);
@@ -45,8 +44,9 @@ BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
   }
 }
 
-Id BodyTets::AddVertex(const Point3& place, double size)
+Id BodyTets::AddVertex(Kind kind, const Point3& place, double size)
 {
+  this->Kinds.push_back(kind);
   this->Mesh.Points.push_back(place);
   this->Mesh.VertexCells.push_back(NoId);
   this->Body.Sizes.push_back(size);
@@ -54,6 +54,13 @@ Id BodyTets::AddVertex(const Point3& place, double size)
   this->TriedMoves.push_back(0);
   this->NumberOfMoves.push_back(0);
   return this->Mesh.NumberOfVertices() - 1;
+}
+
+Id BodyTets::AddRecord(Id other)
+{
+  this->Body.FacetPlaces.push_back(this->Body.FacetPlaces[At(other)]);
+  this->FacetSlots.resize(this->FacetSlots.size() + 2, NoId);
+  return static_cast<Id>(this->Body.FacetPlaces.size()) - 1;
 }
 
 void BodyTets::ResizeCells()
@@ -70,7 +77,7 @@ void BodyTets::LinkAll(Pulse& pulse)
   const IdLists buckets(this->Mesh.Points.size(),
     [this](const auto& add)
     {
-      for (Id record = 0; record < static_cast<Id>(this->Body.FacetTags.size()); ++record)
+      for (Id record = 0; record < static_cast<Id>(this->Body.FacetPlaces.size()); ++record)
       {
         add(this->SortedCorners(CodeOf(record))[0], CodeOf(record));
       }
@@ -143,14 +150,46 @@ Id BodyTets::Across(Id slot) const
   return halves[0] == slot ? halves[1] : halves[0];
 }
 
-bool BodyTets::IsKept(Id a, Id b) const
+Id BodyTets::PieceBetween(Id a, Id b) const
 {
-  if (std::max(a, b) >= this->Body.NumberOnLines)
+  if (!this->IsOnLine(a) || !this->IsOnLine(b))
   {
-    return false;
+    return NoId;
   }
-  const IdLists::List ends = this->KeptEnds[std::min(a, b)];
-  return std::find(ends.begin(), ends.end(), std::max(a, b)) != ends.end();
+  const std::vector<Id>& pieces = this->LinePieces[At(a)];
+  const auto piece = std::find_if(
+    pieces.begin(), pieces.end(), [this, a, b](Id k) { return this->OtherEnd(k, a) == b; });
+  return piece == pieces.end() ? NoId : *piece;
+}
+
+std::array<Id, 2> BodyTets::PiecesAt(Id vertex) const
+{
+  const std::vector<Id>& chains = this->Body.PieceChains;
+  if (vertex < this->Body.NumberOfCorners || chains.empty() || !this->IsOnLine(vertex))
+  {
+    return { NoId, NoId };
+  }
+  const std::vector<Id>& pieces = this->LinePieces[At(vertex)];
+  const bool isOne = pieces.size() == 2 && chains[At(pieces[0])] == chains[At(pieces[1])];
+  return isOne ? std::array<Id, 2>{ pieces[0], pieces[1] } : std::array<Id, 2>{ NoId, NoId };
+}
+
+Id BodyTets::OtherEnd(Id piece, Id vertex) const
+{
+  const Id* ends = &this->Body.PieceEnds[At(2 * piece)];
+  return ends[0] == vertex ? ends[1] : ends[0];
+}
+
+void BodyTets::JoinPieces(Id vertex, Id gone)
+{
+  const Id end = this->OtherEnd(gone, vertex);
+  const std::vector<Id>& own = this->LinePieces[At(vertex)];
+  const Id kept = own[0] == gone ? own[1] : own[0];
+  std::vector<Id>& pieces = this->LinePieces[At(end)];
+  std::replace(pieces.begin(), pieces.end(), gone, kept);
+  Id* ends = &this->Body.PieceEnds[At(2 * kept)];
+  std::replace(ends, ends + 2, vertex, end);
+  this->Body.PieceEnds[At(2 * gone)] = NoId;
 }
 
 const std::vector<Id>& BodyTets::StarOf(Id vertex)
@@ -190,37 +229,103 @@ const std::vector<Id>& BodyTets::StarOf(Id vertex)
   return this->Star;
 }
 
-/// Takes vertices inside away that no cell has. The new numbers of the others.
+/// Takes vertices away that no cell has, and sorts the others by kind. Their new numbers.
 std::vector<Id> BodyTets::DropUnused()
 {
   std::vector<Id> numbers(this->Mesh.Points.size(), NoId);
-  this->Body.Origins.clear();
-  for (Id vertex = 0; vertex < this->Mesh.NumberOfVertices(); ++vertex)
+  std::vector<Id>& order = this->Body.Origins;
+  order.clear();
+  for (const Kind kind : { Kind::OnLine, Kind::OnPatch, Kind::Inside })
   {
-    if (vertex < this->Body.NumberOnBoundary || !this->IsLinked ||
-      this->Mesh.VertexCells[At(vertex)] != NoId)
+    for (Id vertex = 0; vertex < this->Mesh.NumberOfVertices(); ++vertex)
     {
-      numbers[At(vertex)] = static_cast<Id>(this->Body.Origins.size());
-      this->Mesh.Points[this->Body.Origins.size()] = this->Mesh.PointAt(vertex);
-      this->Body.Sizes[this->Body.Origins.size()] = this->Body.Sizes[At(vertex)];
-      this->Body.Origins.push_back(vertex < this->NumberOfGiven ? vertex : NoId);
+      if (this->Kinds[At(vertex)] == kind &&
+        (this->Mesh.VertexCells[At(vertex)] != NoId || !this->IsLinked))
+      {
+        numbers[At(vertex)] = static_cast<Id>(order.size());
+        order.push_back(vertex);
+      }
+    }
+    const auto count = static_cast<Id>(order.size());
+    this->Body.NumberOnLines = kind == Kind::OnLine ? count : this->Body.NumberOnLines;
+    this->Body.NumberOnBoundary = kind == Kind::OnPatch ? count : this->Body.NumberOnBoundary;
+  }
+  const auto sort = [&order](auto& list)
+  {
+    const auto given = std::move(list);
+    list.clear();
+    list.reserve(order.size());
+    for (const Id vertex : order)
+    {
+      list.push_back(given[At(vertex)]);
+    }
+  };
+  sort(this->Mesh.Points);
+  sort(this->Body.Sizes);
+  this->Body.BoundaryPlaces.resize(numbers.size(), NoId);
+  sort(this->Body.BoundaryPlaces);
+  this->Body.BoundaryPlaces.resize(At(this->Body.NumberOnBoundary));
+  for (Id& vertex : order)
+  {
+    vertex = vertex < this->NumberOfGiven ? vertex : NoId;
+  }
+  return numbers;
+}
+
+/// Facets and pieces that are gone leave the lists.
+void BodyTets::GiveBackFacets()
+{
+  std::size_t kept = 0;
+  this->Body.Facets.resize(3 * this->Body.FacetPlaces.size());
+  for (std::size_t record = 0; record < this->Body.FacetPlaces.size(); ++record)
+  {
+    const Id* halves = &this->FacetSlots[2 * record];
+    if (halves[0] != NoId)
+    {
+      const auto regionOf = [this](Id slot) { return this->Mesh.Labels[At(slot >> 2)]; };
+      const bool isSecond = halves[1] != NoId && regionOf(halves[1]) < regionOf(halves[0]);
+      const std::array<Id, 3> corners = this->FacetCorners(halves[isSecond ? 1 : 0]);
+      std::copy(corners.begin(), corners.end(), &this->Body.Facets[3 * kept]);
+      this->Body.FacetPlaces[kept++] = this->Body.FacetPlaces[record];
     }
   }
-  this->Mesh.Points.resize(this->Body.Origins.size());
-  this->Body.Sizes.resize(this->Body.Origins.size());
-  return numbers;
+  this->Body.Facets.resize(3 * kept);
+  this->Body.FacetPlaces.resize(kept);
+}
+
+void BodyTets::GiveBackPieces(const std::vector<Id>& numbers)
+{
+  std::vector<Id>& ends = this->Body.PieceEnds;
+  std::vector<Id>& chains = this->Body.PieceChains;
+  std::size_t kept = 0;
+  for (std::size_t piece = 0; piece < ends.size() / 2; ++piece)
+  {
+    if (ends[2 * piece] != NoId)
+    {
+      ends[2 * kept] = numbers[At(ends[2 * piece])];
+      ends[2 * kept + 1] = numbers[At(ends[2 * piece + 1])];
+      if (!chains.empty())
+      {
+        chains[kept] = chains[piece];
+      }
+      ++kept;
+    }
+  }
+  ends.resize(2 * kept);
+  chains.resize(chains.empty() ? 0 : kept);
 }
 
 void BodyTets::GiveBack()
 {
-  const std::vector<Id> numbers = this->DropUnused();
-  for (std::size_t record = 0; this->IsLinked && record < this->Body.FacetTags.size(); ++record)
+  if (this->IsLinked)
   {
-    const Id* halves = &this->FacetSlots[2 * record];
-    const auto regionOf = [this](Id slot) { return this->Mesh.Labels[At(slot >> 2)]; };
-    const bool isSecond = halves[1] != NoId && regionOf(halves[1]) < regionOf(halves[0]);
-    const std::array<Id, 3> corners = this->FacetCorners(halves[isSecond ? 1 : 0]);
-    std::copy(corners.begin(), corners.end(), &this->Body.Facets[3 * record]);
+    this->GiveBackFacets();
+  }
+  const std::vector<Id> numbers = this->DropUnused();
+  this->GiveBackPieces(numbers);
+  for (Id& corner : this->Body.Facets)
+  {
+    corner = numbers[At(corner)];
   }
   std::size_t kept = 0;
   for (Id cell = 0; cell < this->Mesh.NumberOfSlots(); ++cell)
