@@ -28,7 +28,7 @@ public:
   BodyRelaxer(const SurfaceGround& ground, const std::function<double(const Point3&)>& f,
     RelaxedBody& body, Pulse& pulse)
     : Tets(body, pulse)
-    , Normals(ground, body)
+    , Normals(ground, this->Tets)
     , Moves(this->Tets, this->Normals, f)
     , Edges(this->Tets, this->Normals)
     , Beats(pulse)
@@ -139,8 +139,7 @@ private:
     {
       for (const Id other : corners)
       {
-        if (vertex >= this->Tets.Body.NumberOnBoundary && vertex != other &&
-          this->Moves.Merge(vertex, other))
+        if (vertex != other && this->Moves.Merge(vertex, other))
         {
           return true;
         }

@@ -13,14 +13,15 @@
 namespace biting
 {
 
-/// A tetrahedral mesh of a body that is relaxed. Its vertices: first corners and those of chains,
+/// A tetrahedral mesh of a body that is relaxed. Its vertices: first corners, then those of chains,
 /// then others of the boundary, then those inside.
 struct RelaxedBody
 {
   std::vector<Point3> Points;
   std::vector<double> Sizes;      ///< f at points
-  Id NumberOnLines = 0;           ///< vertices that stay
-  Id NumberOnBoundary = 0;        ///< and those that slide on their patch, together
+  Id NumberOfCorners = 0;         ///< vertices that stay
+  Id NumberOnLines = 0;           ///< and those that slide on their chain, together
+  Id NumberOnBoundary = 0;        ///< and those that slide on their patch
   std::vector<Id> BoundaryPlaces; ///< of vertices of the boundary: a triangle of the ground there
 
   std::vector<Id> Corners; ///< four vertices a tetrahedron, positive by Orient3D
@@ -32,8 +33,11 @@ struct RelaxedBody
   /// Three vertices each: all facets with a tetrahedron on one side only, oriented away from it;
   /// and those between different regions, once, oriented away from the lower one.
   std::vector<Id> Facets;
-  std::vector<Id> FacetTags; ///< of facets: the patch each belongs to; 2-2 flips keep within one
-  std::vector<Id> PieceEnds; ///< edges that stay, two vertices each
+  std::vector<Id> FacetPlaces; ///< of facets: a triangle of the ground near it, of its patch
+
+  /// Edges on feature lines, two vertices each: they bound the patches.
+  std::vector<Id> PieceEnds;
+  std::vector<Id> PieceChains; ///< of pieces; empty: all vertices on lines stay
 
   /// Set when it is relaxed, of vertices: their numbers before; NoId of new ones.
   std::vector<Id> Origins;

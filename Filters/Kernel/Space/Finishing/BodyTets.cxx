@@ -3,7 +3,7 @@
 
 #include "BodyTets.h"
 
-#include <algorithm> // for copy, find, max, min, sort
+#include <algorithm> // for copy, fill_n, find_if, replace, sort
 #include <utility>   // for move
 
 namespace biting
@@ -12,22 +12,21 @@ namespace biting
 BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
   : Body(body)
   , NumberOfGiven(static_cast<Id>(body.Points.size()))
-  , FacetSlots(2 * body.FacetTags.size(), NoId)
-  , KeptEnds(body.Points.size(),
-      [&body](const auto& add)
-      {
-        for (std::size_t k = 0; k < body.PieceEnds.size(); k += 2)
-        {
-          add(std::min(body.PieceEnds[k], body.PieceEnds[k + 1]),
-            std::max(body.PieceEnds[k], body.PieceEnds[k + 1]));
-        }
-      })
+  , FacetSlots(2 * body.FacetPlaces.size(), NoId)
+  , Kinds(body.Points.size(), Kind::Inside)
+  , LinePieces(At(body.NumberOnLines))
 {
   this->Mesh.Points = std::move(body.Points);
   this->Mesh.Corners = std::move(body.Corners);
   this->Mesh.Labels = std::move(body.Regions);
   this->Mesh.Twins = std::move(body.Twins);
   this->Mesh.VertexCells.assign(this->Mesh.Points.size(), NoId);
+  std::fill_n(this->Kinds.begin(), body.NumberOnBoundary, Kind::OnPatch);
+  std::fill_n(this->Kinds.begin(), body.NumberOnLines, Kind::OnLine);
+  for (std::size_t k = 0; k < body.PieceEnds.size(); ++k)
+  {
+    this->LinePieces[At(body.PieceEnds[k])].push_back(static_cast<Id>(k / 2));
+  }
   this->Touched.assign(this->Mesh.Points.size(), 0);
   this->TriedMoves.assign(this->Mesh.Points.size(), 0);
   this->NumberOfMoves.assign(this->Mesh.Points.size(), 0);
@@ -50,8 +49,9 @@ BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
   }
 }
 
-Id BodyTets::AddVertex(const Point3& place, double size)
+Id BodyTets::AddVertex(Kind kind, const Point3& place, double size)
 {
+  this->Kinds.push_back(kind);
   this->Mesh.Points.push_back(place);
   this->Mesh.VertexCells.push_back(NoId);
   this->Body.Sizes.push_back(size);
@@ -59,6 +59,13 @@ Id BodyTets::AddVertex(const Point3& place, double size)
   this->TriedMoves.push_back(0);
   this->NumberOfMoves.push_back(0);
   return this->Mesh.NumberOfVertices() - 1;
+}
+
+Id BodyTets::AddRecord(Id other)
+{
+  this->Body.FacetPlaces.push_back(this->Body.FacetPlaces[At(other)]);
+  this->FacetSlots.resize(this->FacetSlots.size() + 2, NoId);
+  return static_cast<Id>(this->Body.FacetPlaces.size()) - 1;
 }
 
 void BodyTets::ResizeCells()
@@ -93,14 +100,46 @@ Id BodyTets::Across(Id slot) const
   return halves[0] == slot ? halves[1] : halves[0];
 }
 
-bool BodyTets::IsKept(Id a, Id b) const
+Id BodyTets::PieceBetween(Id a, Id b) const
 {
-  if (std::max(a, b) >= this->Body.NumberOnLines)
+  if (!this->IsOnLine(a) || !this->IsOnLine(b))
   {
-    return false;
+    return NoId;
   }
-  const IdLists::List ends = this->KeptEnds[std::min(a, b)];
-  return std::find(ends.begin(), ends.end(), std::max(a, b)) != ends.end();
+  const std::vector<Id>& pieces = this->LinePieces[At(a)];
+  const auto piece = std::find_if(
+    pieces.begin(), pieces.end(), [this, a, b](Id k) { return this->OtherEnd(k, a) == b; });
+  return piece == pieces.end() ? NoId : *piece;
+}
+
+std::array<Id, 2> BodyTets::PiecesAt(Id vertex) const
+{
+  const std::vector<Id>& chains = this->Body.PieceChains;
+  if (vertex < this->Body.NumberOfCorners || chains.empty() || !this->IsOnLine(vertex))
+  {
+    return { NoId, NoId };
+  }
+  const std::vector<Id>& pieces = this->LinePieces[At(vertex)];
+  const bool isOne = pieces.size() == 2 && chains[At(pieces[0])] == chains[At(pieces[1])];
+  return isOne ? std::array<Id, 2>{ pieces[0], pieces[1] } : std::array<Id, 2>{ NoId, NoId };
+}
+
+Id BodyTets::OtherEnd(Id piece, Id vertex) const
+{
+  const Id* ends = &this->Body.PieceEnds[At(2 * piece)];
+  return ends[0] == vertex ? ends[1] : ends[0];
+}
+
+void BodyTets::JoinPieces(Id vertex, Id gone)
+{
+  const Id end = this->OtherEnd(gone, vertex);
+  const std::vector<Id>& own = this->LinePieces[At(vertex)];
+  const Id kept = own[0] == gone ? own[1] : own[0];
+  std::vector<Id>& pieces = this->LinePieces[At(end)];
+  std::replace(pieces.begin(), pieces.end(), gone, kept);
+  Id* ends = &this->Body.PieceEnds[At(2 * kept)];
+  std::replace(ends, ends + 2, vertex, end);
+  this->Body.PieceEnds[At(2 * gone)] = NoId;
 }
 
 const std::vector<Id>& BodyTets::StarOf(Id vertex)
@@ -140,46 +179,114 @@ const std::vector<Id>& BodyTets::StarOf(Id vertex)
   return this->Star;
 }
 
-/// Takes vertices inside away that no cell has. The new numbers of the others.
+/// Takes vertices away that no cell has, and sorts the others by kind. Their new numbers.
 std::vector<Id> BodyTets::DropUnused()
 {
   std::vector<Id> numbers(this->Mesh.Points.size(), NoId);
-  this->Body.Origins.clear();
-  for (Id vertex = 0; vertex < this->Mesh.NumberOfVertices(); ++vertex)
+  std::vector<Id>& order = this->Body.Origins;
+  order.clear();
+  for (const Kind kind : { Kind::OnLine, Kind::OnPatch, Kind::Inside })
   {
-    if (vertex < this->Body.NumberOnBoundary || this->Mesh.VertexCells[At(vertex)] != NoId)
+    for (Id vertex = 0; vertex < this->Mesh.NumberOfVertices(); ++vertex)
     {
-      numbers[At(vertex)] = static_cast<Id>(this->Body.Origins.size());
-      this->Mesh.Points[this->Body.Origins.size()] = this->Mesh.PointAt(vertex);
-      this->Body.Sizes[this->Body.Origins.size()] = this->Body.Sizes[At(vertex)];
-      this->Body.Origins.push_back(vertex < this->NumberOfGiven ? vertex : NoId);
+      if (this->Kinds[At(vertex)] == kind &&
+        this->Mesh.VertexCells[At(vertex)] != NoId)
+      {
+        numbers[At(vertex)] = static_cast<Id>(order.size());
+        order.push_back(vertex);
+      }
+    }
+    const auto count = static_cast<Id>(order.size());
+    this->Body.NumberOnLines = kind == Kind::OnLine ? count : this->Body.NumberOnLines;
+    this->Body.NumberOnBoundary = kind == Kind::OnPatch ? count : this->Body.NumberOnBoundary;
+  }
+  const auto sort = [&order](auto& list)
+  {
+    const auto given = std::move(list);
+    list.clear();
+    list.reserve(order.size());
+    for (const Id vertex : order)
+    {
+      list.push_back(given[At(vertex)]);
+    }
+  };
+  sort(this->Mesh.Points);
+  sort(this->Body.Sizes);
+  this->Body.BoundaryPlaces.resize(numbers.size(), NoId);
+  sort(this->Body.BoundaryPlaces);
+  this->Body.BoundaryPlaces.resize(At(this->Body.NumberOnBoundary));
+  for (Id& vertex : order)
+  {
+    vertex = vertex < this->NumberOfGiven ? vertex : NoId;
+  }
+  return numbers;
+}
+
+/// Facets that are gone leave the list. The new numbers of records.
+std::vector<Id> BodyTets::GiveBackFacets()
+{
+  std::size_t kept = 0;
+  std::vector<Id> numbers(this->Body.FacetPlaces.size(), NoId);
+  this->Body.Facets.resize(3 * this->Body.FacetPlaces.size());
+  for (std::size_t record = 0; record < this->Body.FacetPlaces.size(); ++record)
+  {
+    const Id* halves = &this->FacetSlots[2 * record];
+    if (halves[0] != NoId)
+    {
+      const auto regionOf = [this](Id slot) { return this->Mesh.Labels[At(slot >> 2)]; };
+      const bool isSecond = halves[1] != NoId && regionOf(halves[1]) < regionOf(halves[0]);
+      const std::array<Id, 3> corners = this->FacetCorners(halves[isSecond ? 1 : 0]);
+      std::copy(corners.begin(), corners.end(), &this->Body.Facets[3 * kept]);
+      numbers[record] = static_cast<Id>(kept);
+      this->Body.FacetPlaces[kept++] = this->Body.FacetPlaces[record];
     }
   }
-  this->Mesh.Points.resize(this->Body.Origins.size());
-  this->Body.Sizes.resize(this->Body.Origins.size());
+  this->Body.Facets.resize(3 * kept);
+  this->Body.FacetPlaces.resize(kept);
   return numbers;
+}
+
+/// Pieces that are gone leave the list.
+void BodyTets::GiveBackPieces(const std::vector<Id>& numbers)
+{
+  std::vector<Id>& ends = this->Body.PieceEnds;
+  std::vector<Id>& chains = this->Body.PieceChains;
+  std::size_t kept = 0;
+  for (std::size_t piece = 0; piece < ends.size() / 2; ++piece)
+  {
+    if (ends[2 * piece] != NoId)
+    {
+      ends[2 * kept] = numbers[At(ends[2 * piece])];
+      ends[2 * kept + 1] = numbers[At(ends[2 * piece + 1])];
+      if (!chains.empty())
+      {
+        chains[kept] = chains[piece];
+      }
+      ++kept;
+    }
+  }
+  ends.resize(2 * kept);
+  chains.resize(chains.empty() ? 0 : kept);
 }
 
 void BodyTets::GiveBack()
 {
+  const std::vector<Id> records = this->GiveBackFacets();
   const std::vector<Id> numbers = this->DropUnused();
-  for (std::size_t record = 0; record < this->Body.FacetTags.size(); ++record)
+  this->GiveBackPieces(numbers);
+  for (Id& corner : this->Body.Facets)
   {
-    const Id* halves = &this->FacetSlots[2 * record];
-    const auto regionOf = [this](Id slot) { return this->Mesh.Labels[At(slot >> 2)]; };
-    const bool isSecond = halves[1] != NoId && regionOf(halves[1]) < regionOf(halves[0]);
-    const std::array<Id, 3> corners = this->FacetCorners(halves[isSecond ? 1 : 0]);
-    std::copy(corners.begin(), corners.end(), &this->Body.Facets[3 * record]);
+    corner = numbers[At(corner)];
   }
-  this->DropFree(numbers);
+  this->DropFree(numbers, records);
   this->Body.Points = std::move(this->Mesh.Points);
   this->Body.Corners = std::move(this->Mesh.Corners);
   this->Body.Twins = std::move(this->Mesh.Twins);
   this->Body.Regions = std::move(this->Mesh.Labels);
 }
 
-/// Takes free cells away. `numbers`: of vertices, the new ones.
-void BodyTets::DropFree(const std::vector<Id>& numbers)
+/// Takes free cells away. `numbers`, `records`: of vertices and of records, the new ones.
+void BodyTets::DropFree(const std::vector<Id>& numbers, const std::vector<Id>& records)
 {
   Id kept = 0;
   std::vector<Id> places(At(this->Mesh.NumberOfSlots()), NoId);
@@ -195,7 +302,9 @@ void BodyTets::DropFree(const std::vector<Id>& numbers)
       const Id twin = this->Mesh.Twins[At(slot)];
       const Id to = 4 * place + (slot & 3);
       this->Mesh.Corners[At(to)] = numbers[At(this->VertexAt(slot))];
-      this->Mesh.Twins[At(to)] = twin < 0 ? twin : 4 * places[At(twin >> 2)] + (twin & 3);
+      this->Mesh.Twins[At(to)] = twin < 0
+        ? RelaxedBody::CodeOf(records[At(this->RecordOf(slot))])
+        : 4 * places[At(twin >> 2)] + (twin & 3);
       this->Mesh.Labels[At(place)] = this->Mesh.Labels[At(slot >> 2)];
     }
   }

@@ -31,8 +31,22 @@ public:
 
   using Tetrahedron = std::array<Id, 4>;
 
-  /// A vertex inside, of no cell as yet.
-  Id AddVertex(const Point3& place, double size);
+  /// What a vertex may do.
+  enum class Kind : std::uint8_t
+  {
+    OnLine, ///< a corner, or slides on its chain
+    OnPatch,
+    Inside
+  };
+
+  /// A vertex of no cell as yet.
+  Id AddVertex(Kind kind, const Point3& place, double size);
+
+  bool IsOnLine(Id vertex) const { return this->Kinds[At(vertex)] == Kind::OnLine; }
+  bool IsInside(Id vertex) const { return this->Kinds[At(vertex)] == Kind::Inside; }
+
+  /// A record for a part of the facet of another one.
+  Id AddRecord(Id other);
 
   /// The slots of the vertex in its cells. Good until the next call.
   const std::vector<Id>& StarOf(Id vertex);
@@ -47,8 +61,16 @@ public:
   Id RecordOf(Id slot) const { return RelaxedBody::CodeOf(this->Mesh.Twins[At(slot)]); }
   bool IsInterface(Id record) const { return this->FacetSlots[At(2 * record + 1)] != NoId; }
 
-  /// Whether the edge is one of those that stay.
-  bool IsKept(Id a, Id b) const;
+  /// The piece between two vertices, or NoId.
+  Id PieceBetween(Id a, Id b) const;
+  bool IsKept(Id a, Id b) const { return this->PieceBetween(a, b) != NoId; }
+
+  /// The two pieces of one chain at a vertex that is no corner; else NoId.
+  std::array<Id, 2> PiecesAt(Id vertex) const;
+  Id OtherEnd(Id piece, Id vertex) const;
+
+  /// Makes one piece of the two at a vertex: `gone`, whose other end gets the other piece.
+  void JoinPieces(Id vertex, Id gone);
 
   double BadnessOf(const Tetrahedron& t) const
   {
@@ -86,14 +108,17 @@ private:
   friend class CellChange;
 
   std::vector<Id> DropUnused();
-  void DropFree(const std::vector<Id>& numbers);
+  void DropFree(const std::vector<Id>& numbers, const std::vector<Id>& records);
+  std::vector<Id> GiveBackFacets();
+  void GiveBackPieces(const std::vector<Id>& numbers);
   void ResizeCells();
   std::array<Id, 3> SortedCorners(Id slot) const;
   void Attach(Id record, Id half, Id slot);
 
   Id NumberOfGiven;           ///< vertices
   std::vector<Id> FacetSlots; ///< two a record: of the cells on its sides, NoId beyond the boundary
-  IdLists KeptEnds;           ///< of vertices on lines: the greater ends of edges that stay
+  std::vector<Kind> Kinds;    ///< of vertices
+  std::vector<std::vector<Id>> LinePieces; ///< of vertices on lines
   std::vector<Id> Star;
   std::vector<std::uint32_t> Stamps; ///< of cells
   std::uint32_t Stamp = 0;

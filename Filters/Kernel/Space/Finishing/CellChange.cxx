@@ -26,7 +26,10 @@ void CellChange::Apply(BodyTets& tets)
   {
     std::array<Id, 3> corners = facet.Corners;
     std::sort(corners.begin(), corners.end());
-    this->Sides.push_back({ corners, NoId, facet.Record, NoId });
+    if (corners[0] != NoId)
+    {
+      this->Sides.push_back({ corners, NoId, facet.Record, NoId });
+    }
     tets.FacetSlots[At(2 * facet.Record)] = NoId;
     tets.FacetSlots[At(2 * facet.Record + 1)] = NoId;
   }

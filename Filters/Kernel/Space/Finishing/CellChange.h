@@ -17,7 +17,7 @@ namespace biting
 class CellChange
 {
 public:
-  /// The new facet of a record.
+  /// The new facet of a record. Without corners (NoId): the record goes.
   struct NewFacet
   {
     Id Record;

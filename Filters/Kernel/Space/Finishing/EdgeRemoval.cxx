@@ -183,7 +183,7 @@ bool EdgeRemoval::Wind(Id first, Id p, Id q)
   return true;
 }
 
-/// Whether the facets at the edge lie in one patch, and there are no others.
+/// Whether there are two facets at the edge, which is no piece: they lie in one patch.
 bool EdgeRemoval::IsFlippable() const
 {
   if (this->NumberOfRecords != 2)
@@ -193,9 +193,7 @@ bool EdgeRemoval::IsFlippable() const
   const Id first = this->Records[0];
   const Id second = this->Records[1];
   const std::size_t sides = this->Tets.IsInterface(first) ? 2 : 1;
-  const std::vector<Id>& tags = this->Tets.Body.FacetTags;
-  return tags[At(first)] == tags[At(second)] &&
-    this->Tets.IsInterface(first) == this->Tets.IsInterface(second) &&
+  return this->Tets.IsInterface(first) == this->Tets.IsInterface(second) &&
     sides == this->NumberOfLinks &&
     (this->Links[0].Size > 2 || this->Links[1].Size > 2 || sides == 1);
 }
@@ -271,7 +269,7 @@ bool EdgeRemoval::FlipFacets()
     this->Links[0].Size == 2 || (this->NumberOfLinks == 2 && this->Links[1].Size == 2);
   if (this->Tets.IsKept(p, q) || !this->IsNewEdge(p, q, isInCell) ||
     !this->Normals.AllowsFlip(
-      this->Tets, { { { a, b, p }, { b, a, q } } }, { { { p, b, q }, { q, a, p } } }))
+      { { { a, b, p }, { b, a, q } } }, { { { p, b, q }, { q, a, p } } }))
   {
     return false;
   }
@@ -307,7 +305,8 @@ bool EdgeRemoval::Split(Id cell)
 {
   for (std::size_t edge = 0; edge < 6; ++edge)
   {
-    if (this->FindLinks(cell, edge) && this->NumberOfRecords == 0 && this->FillFromInside())
+    if (this->FindLinks(cell, edge) && (this->NumberOfRecords == 0 || this->IsSplittable()) &&
+      this->FillFromInside())
     {
       this->Change.Apply(this->Tets);
       return true;
@@ -316,65 +315,126 @@ bool EdgeRemoval::Split(Id cell)
   return false;
 }
 
+bool EdgeRemoval::IsSplittable() const
+{
+  return this->NumberOfRecords == 2 &&
+    this->Tets.IsInterface(this->Records[0]) == this->Tets.IsInterface(this->Records[1]) &&
+    this->NumberOfLinks == (this->Tets.IsInterface(this->Records[0]) ? 2u : 1u);
+}
+
 /// Looks for the place of a new vertex at which the worst of the halves of the cells about the edge
-/// is best, from the middle of the edge on.
+/// is best, from the middle of the edge on; between facets, on the ground.
 bool EdgeRemoval::FillFromInside()
 {
   const Point3& a = this->Tets.Mesh.PointAt(this->A);
   const Point3& b = this->Tets.Mesh.PointAt(this->B);
   const double length = Distance(a, b);
-  const std::vector<double>& sizes = this->Tets.Body.Sizes;
-  const double size = 0.5 * (sizes[At(this->A)] + sizes[At(this->B)]);
-  if (length < 0.5 * size) // else flat parts are split without end
+  if (length < 0.5 * this->EdgeSize()) // else flat parts are split without end
   {
     return false;
   }
-  Point3 place = Midpoint(a, b);
-  double worst = this->WorstAround(place, 1.0);
+  const bool isOnFacets = this->NumberOfRecords > 0;
+  const auto placeAt = [this, isOnFacets](const Point3& place)
+  {
+    return isOnFacets ? this->Normals.ProjectOnFacet(this->Records[0], place)
+                      : GroundPlace{ NoId, place };
+  };
+  GroundPlace best = placeAt(Midpoint(a, b));
+  double worst = this->WorstAround(best.Place, 1.0);
   TryInSteps(0.1 * length, 0.01 * length,
-    [this, &place, &worst](const Point3& step)
+    [this, &placeAt, &best, &worst](const Point3& step)
     {
-      const double tried = this->WorstAround(place + step, worst - LeastGain);
-      place = tried < worst ? place + step : place;
+      const GroundPlace place = placeAt(best.Place + step);
+      const double tried = this->WorstAround(place.Place, worst - LeastGain);
+      best = tried < worst ? place : best;
       const bool goes = tried < worst;
       worst = std::min(worst, tried);
       return goes;
     });
-  if (!(worst < this->Before - LeastGain))
+  this->Change.Facets.clear();
+  if (!(worst < this->Before - LeastGain) || (isOnFacets && !this->SplitFacets(best)))
   {
     return false;
   }
-  const Link& link = this->Links[0];
-  const Id vertex = this->Tets.AddVertex(place, size);
-  this->Change.Filling.clear();
-  this->Change.Facets.clear();
-  for (std::size_t k = 0; k < link.Size; ++k)
-  {
-    const Id p = link.Vertices[k];
-    const Id q = link.Vertices[(k + 1) % link.Size];
-    this->Change.Filling.push_back({ this->A, vertex, p, q });
-    this->Change.Filling.push_back({ vertex, this->B, p, q });
-  }
-  this->Change.Regions.assign(2 * link.Size, link.Region);
+  this->FillAround(best);
   return true;
+}
+
+/// f at the middle of the edge.
+double EdgeRemoval::EdgeSize() const
+{
+  const std::vector<double>& sizes = this->Tets.Body.Sizes;
+  return 0.5 * (sizes[At(this->A)] + sizes[At(this->B)]);
+}
+
+/// Whether the ground allows the halves of the facets.
+bool EdgeRemoval::SplitFacets(const GroundPlace& place)
+{
+  std::vector<GroundNormals::FacetChange> changes;
+  const Id ends[2] = { this->Links[0].Vertices[0],
+    this->Links[0].Vertices[this->Links[0].Size - 1] };
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const std::array<Id, 3> corners = k == 0 ? std::array<Id, 3>{ this->A, this->B, ends[0] }
+                                             : std::array<Id, 3>{ this->B, this->A, ends[1] };
+    changes.push_back({ this->Records[k], corners, this->A });
+    changes.push_back({ this->Records[k], corners, this->B });
+  }
+  return this->Normals.AllowsChange(changes, NoId, place);
+}
+
+void EdgeRemoval::FillAround(const GroundPlace& place)
+{
+  const bool isOnFacets = this->NumberOfRecords > 0;
+  RelaxedBody& body = this->Tets.Body;
+  const Id vertex =
+    this->Tets.AddVertex(isOnFacets ? BodyTets::Kind::OnPatch : BodyTets::Kind::Inside, place.Place,
+      this->EdgeSize());
+  body.BoundaryPlaces.resize(body.Sizes.size(), NoId);
+  body.BoundaryPlaces[At(vertex)] = place.Triangle;
+  this->Change.Filling.clear();
+  this->Change.Regions.clear();
+  for (std::size_t side = 0; side < this->NumberOfLinks; ++side)
+  {
+    const Link& link = this->Links[side];
+    const std::size_t cells = link.Size - (isOnFacets ? 1 : 0);
+    for (std::size_t k = 0; k < cells; ++k)
+    {
+      const Id p = link.Vertices[k];
+      const Id q = link.Vertices[(k + 1) % link.Size];
+      this->Change.Filling.push_back({ this->A, vertex, p, q });
+      this->Change.Filling.push_back({ vertex, this->B, p, q });
+    }
+    this->Change.Regions.insert(this->Change.Regions.end(), 2 * cells, link.Region);
+  }
+  for (std::size_t k = 0; k < this->NumberOfRecords; ++k)
+  {
+    const Id p = this->Links[0].Vertices[k == 0 ? 0 : this->Links[0].Size - 1];
+    this->Change.Facets.push_back({ this->Records[k], { this->A, vertex, p } });
+    this->Change.Facets.push_back({ this->Tets.AddRecord(this->Records[k]), { vertex, this->B, p } });
+  }
 }
 
 /// The badness of the worst of the halves; infinite where it is not below the limit, or one is not
 /// positive.
 double EdgeRemoval::WorstAround(const Point3& place, double limit) const
 {
-  const Link& link = this->Links[0];
+  const Point3& a = this->Tets.Mesh.PointAt(this->A);
+  const Point3& b = this->Tets.Mesh.PointAt(this->B);
   double worst = 0.0;
-  for (std::size_t k = 0; k < 2 * link.Size && worst < limit; ++k)
+  for (std::size_t side = 0; side < this->NumberOfLinks; ++side)
   {
-    const Point3& a = this->Tets.Mesh.PointAt(this->A);
-    const Point3& b = this->Tets.Mesh.PointAt(this->B);
-    const Point3& p = this->Tets.Mesh.PointAt(link.Vertices[k / 2]);
-    const Point3& q = this->Tets.Mesh.PointAt(link.Vertices[(k / 2 + 1) % link.Size]);
-    const Point3& first = k % 2 == 0 ? a : place;
-    const Point3& second = k % 2 == 0 ? place : b;
-    worst = std::max(worst, TetShape(first, second, p, q).Badness());
-    worst = Orient3D(first, second, p, q) > 0 ? worst : Infinity;
+    const Link& link = this->Links[side];
+    const std::size_t cells = link.Size - (this->NumberOfRecords > 0 ? 1 : 0);
+    for (std::size_t k = 0; k < 2 * cells && worst < limit; ++k)
+    {
+      const Point3& p = this->Tets.Mesh.PointAt(link.Vertices[k / 2]);
+      const Point3& q = this->Tets.Mesh.PointAt(link.Vertices[(k / 2 + 1) % link.Size]);
+      const Point3& first = k % 2 == 0 ? a : place;
+      const Point3& second = k % 2 == 0 ? place : b;
+      worst = std::max(worst, TetShape(first, second, p, q).Badness());
+      worst = Orient3D(first, second, p, q) > 0 ? worst : Infinity;
+    }
   }
   return worst < limit ? worst : Infinity;
 }

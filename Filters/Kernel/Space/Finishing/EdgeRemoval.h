@@ -37,8 +37,8 @@ public:
   /// `edge`: 0 to 5, a row of EdgeCorners.
   bool Remove(Id cell, std::size_t edge);
 
-  /// Inserts a vertex at the middle of an edge of the cell that lies on no facet with a record, or
-  /// near the middle: each cell about the edge becomes two.
+  /// Inserts a vertex at the middle of an edge of the cell, or near it: each cell about the edge
+  /// becomes two. Of an edge of the boundary, but of lines: on the ground.
   bool Split(Id cell);
 
   /// Takes a facet away: two tetrahedra become three about the edge between their apexes.
@@ -68,7 +68,11 @@ private:
   double Cost(const std::array<Id, 3>& triangle, double limit) const;
   void Fill(const Link& link, std::size_t i, std::size_t j);
   bool FlipFacets();
+  bool IsSplittable() const;
+  double EdgeSize() const;
   bool FillFromInside();
+  bool SplitFacets(const GroundPlace& place);
+  void FillAround(const GroundPlace& place);
   double WorstAround(const Point3& place, double limit) const;
   bool IsNewEdge(Id p, Id q, bool isInCell);
   Id SlotOf(Id cell, Id vertex) const;

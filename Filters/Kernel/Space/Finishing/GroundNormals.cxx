@@ -3,7 +3,9 @@
 
 #include "GroundNormals.h"
 
-#include <algorithm> // for all_of, find, min
+#include "../Surface/NearestOnTriangle.h"
+
+#include <algorithm> // for all_of, any_of, find, max, min
 #include <cmath>     // for abs
 #include <iterator>  // for begin, end
 
@@ -14,6 +16,15 @@ namespace
 {
 
 constexpr double LeastAgreement = 0.7071067811865476; // the cosine of 45 degrees
+constexpr double MostDistance = 0.1; // in f: the default of BoundaryTolerance, which caps f
+
+/// The nearest place of a side.
+Point3 NearestOnSide(const Point3& a, const Point3& b, const Point3& p)
+{
+  const double square = Dot(b - a, b - a);
+  const double part = square > 0.0 ? Dot(p - a, b - a) / square : 0.0;
+  return a + std::max(0.0, std::min(1.0, part)) * (b - a);
+}
 
 } // namespace
 
@@ -24,17 +35,27 @@ Point3 GroundNormals::Facet::Normal() const
   return length > 0.0 ? (1.0 / length) * normal : Point3{};
 }
 
-GroundNormals::Facet GroundNormals::FacetOf(
-  const BodyTets& tets, const std::array<Id, 3>& corners) const
+GroundNormals::Facet GroundNormals::FacetOf(const std::array<Id, 3>& corners) const
 {
   Facet facet;
   for (std::size_t k = 0; k < 3; ++k)
   {
     const Id corner = corners[k];
-    facet.Places[k] = tets.Mesh.PointAt(corner);
+    facet.Places[k] = this->Tets.Mesh.PointAt(corner);
     facet.Triangles[k] =
-      corner < this->Body.NumberOnLines ? NoId : this->Body.BoundaryPlaces[At(corner)];
+      this->Tets.IsOnLine(corner) ? NoId : this->Tets.Body.BoundaryPlaces[At(corner)];
   }
+  return facet;
+}
+
+GroundNormals::Facet GroundNormals::Changed(
+  const FacetChange& change, const GroundPlace& place) const
+{
+  Facet facet = this->FacetOf(change.Corners);
+  const auto k = static_cast<std::size_t>(
+    std::find(change.Corners.begin(), change.Corners.end(), change.From) - change.Corners.begin());
+  facet.Places[k] = place.Place;
+  facet.Triangles[k] = place.Triangle;
   return facet;
 }
 
@@ -53,41 +74,159 @@ double GroundNormals::Agreement(const Facet& facet) const
   return least;
 }
 
-bool GroundNormals::AllowsMove(
-  const BodyTets& tets, const std::vector<Id>& star, Id vertex, const GroundPlace& place) const
+bool GroundNormals::AllowsFacet(const Facet& before, const Facet& after) const
 {
+  return Dot(before.Normal(), after.Normal()) >= LeastAgreement &&
+    this->Agreement(after) >= std::min(LeastAgreement, this->Agreement(before));
+}
+
+GroundPlace GroundNormals::Project(Id vertex, const Point3& place)
+{
+  const RelaxedBody& body = this->Tets.Body;
+  if (!this->Tets.IsOnLine(vertex))
+  {
+    return this->Patches.Project(body.BoundaryPlaces[At(vertex)], place);
+  }
+  this->Segments.resize(At(body.NumberOnLines), NoId);
+  const Id chain = body.PieceChains[At(this->Tets.PiecesAt(vertex)[0])];
+  Id& segment = this->Segments[At(vertex)];
+  Point3 nearest;
+  if (segment == NoId)
+  {
+    double least = Infinity;
+    for (Id k = this->Ground.Chains.Begin(chain); k + 1 < this->Ground.Chains.End(chain); ++k)
+    {
+      const auto at = [this](Id i) { return this->Ground.Mesh.Points[At(this->Ground.Chains.At(i))]; };
+      const Point3& own = this->Tets.Mesh.PointAt(vertex);
+      const double distance = Distance(NearestOnSide(at(k), at(k + 1), own), own);
+      segment = distance < least ? k : segment;
+      least = std::min(least, distance);
+    }
+  }
+  const Id there = this->NearestOnChain(chain, segment, place, nearest);
+  return { *this->Ground.TrianglesAt.Begin(this->Ground.Chains.At(there)), nearest };
+}
+
+/// The segment with the nearest place of the chain, by descent.
+Id GroundNormals::NearestOnChain(
+  Id chain, Id segment, const Point3& place, Point3& nearest) const
+{
+  const FeatureChains& chains = this->Ground.Chains;
+  const auto nearestOn = [this, &chains, &place](Id k)
+  {
+    return NearestOnSide(this->Ground.Mesh.Points[At(chains.At(k))],
+      this->Ground.Mesh.Points[At(chains.At(k + 1))], place);
+  };
+  nearest = nearestOn(segment);
+  bool isNearer = true;
+  while (isNearer)
+  {
+    isNearer = false;
+    for (const Id next : { segment - 1, segment + 1 })
+    {
+      if (next >= chains.Begin(chain) && next + 1 < chains.End(chain) && !isNearer &&
+        Distance(nearestOn(next), place) < (1.0 - 1e-12) * Distance(nearest, place))
+      {
+        segment = next;
+        nearest = nearestOn(next);
+        isNearer = true;
+      }
+    }
+  }
+  return segment;
+}
+
+bool GroundNormals::AllowsMove(
+  const std::vector<Id>& star, Id vertex, const GroundPlace& place) const
+{
+  const bool isOnLine = this->Tets.IsOnLine(vertex);
+  const GroundPlace seen{ isOnLine ? NoId : place.Triangle, place.Place };
   for (const Id own : star)
   {
     for (Id slot = own & ~3; slot < (own & ~3) + 4; ++slot)
     {
-      if (slot == own || tets.RecordOf(slot) < 0)
+      const Id record = this->Tets.RecordOf(slot);
+      if (slot == own || record < 0)
       {
         continue;
       }
-      const std::array<Id, 3> corners = tets.FacetCorners(slot);
-      const Facet before = this->FacetOf(tets, corners);
-      Facet after = before;
-      const auto k = static_cast<std::size_t>(
-        std::find(corners.begin(), corners.end(), vertex) - corners.begin());
-      after.Places[k] = place.Place;
-      after.Triangles[k] = place.Triangle;
-      if (Dot(before.Normal(), after.Normal()) < LeastAgreement ||
-        this->Agreement(after) < std::min(LeastAgreement, this->Agreement(before)))
+      const FacetChange change{ record, this->Tets.FacetCorners(slot), vertex };
+      if (!this->AllowsFacet(this->FacetOf(change.Corners), this->Changed(change, seen)))
       {
         return false;
       }
     }
   }
-  return true;
+  return !isOnLine || this->AllowsSlide(vertex, place.Place);
 }
 
-bool GroundNormals::AllowsFlip(const BodyTets& tets, const std::array<std::array<Id, 3>, 2>& before,
+/// Whether the chain stays near the pieces at the vertex: at their middles.
+bool GroundNormals::AllowsSlide(Id vertex, const Point3& place) const
+{
+  const RelaxedBody& body = this->Tets.Body;
+  double before = MostDistance * body.Sizes[At(vertex)];
+  double after = 0.0;
+  for (const Id piece : this->Tets.PiecesAt(vertex))
+  {
+    const Point3& end = this->Tets.Mesh.PointAt(this->Tets.OtherEnd(piece, vertex));
+    const auto distanceAt = [this, &body, vertex, piece](const Point3& middle)
+    {
+      Point3 nearest;
+      this->NearestOnChain(
+        body.PieceChains[At(piece)], this->Segments[At(vertex)], middle, nearest);
+      return Distance(nearest, middle);
+    };
+    before = std::max(before, distanceAt(Midpoint(this->Tets.Mesh.PointAt(vertex), end)));
+    after = std::max(after, distanceAt(Midpoint(place, end)));
+  }
+  return after <= before;
+}
+
+bool GroundNormals::AllowsChange(
+  const std::vector<FacetChange>& changes, Id to, const GroundPlace& place) const
+{
+  const Id triangle = to != NoId && this->Tets.IsOnLine(to) ? NoId : place.Triangle;
+  return std::all_of(changes.begin(), changes.end(),
+    [this, triangle, &place](const FacetChange& change)
+    {
+      return this->AllowsFacet(
+        this->FacetOf(change.Corners), this->Changed(change, { triangle, place.Place }));
+    });
+}
+
+bool GroundNormals::AllowsMerge(const std::vector<FacetChange>& changes, Id vertex, Id to) const
+{
+  const Point3& old = this->Tets.Mesh.PointAt(vertex);
+  const GroundPlace place{ this->Tets.Body.BoundaryPlaces[At(to)], this->Tets.Mesh.PointAt(to) };
+  const double most = MostDistance * this->Tets.Body.Sizes[At(to)];
+  double least = Infinity; // of the old place, of the facets
+  for (const FacetChange& change : changes)
+  {
+    const Facet after = this->Changed(change, place);
+    least = std::min(least, Distance(NearestPoint(after.Places, old), old));
+    const double before = this->DistanceOf(change.Record, this->FacetOf(change.Corners));
+    if (this->DistanceOf(change.Record, after) > std::max(most, before))
+    {
+      return false;
+    }
+  }
+  return least <= most && this->AllowsChange(changes, to, place);
+}
+
+/// From the middle of a facet to the ground.
+double GroundNormals::DistanceOf(Id record, const Facet& facet) const
+{
+  const Point3 middle = (1.0 / 3.0) * (facet.Places[0] + facet.Places[1] + facet.Places[2]);
+  return Distance(this->ProjectOnFacet(record, middle).Place, middle);
+}
+
+bool GroundNormals::AllowsFlip(const std::array<std::array<Id, 3>, 2>& before,
   const std::array<std::array<Id, 3>, 2>& after) const
 {
-  const Facet old[2] = { this->FacetOf(tets, before[0]), this->FacetOf(tets, before[1]) };
+  const Facet old[2] = { this->FacetOf(before[0]), this->FacetOf(before[1]) };
   const double limit =
     std::min(LeastAgreement, std::min(this->Agreement(old[0]), this->Agreement(old[1])));
-  const Facet facets[2] = { this->FacetOf(tets, after[0]), this->FacetOf(tets, after[1]) };
+  const Facet facets[2] = { this->FacetOf(after[0]), this->FacetOf(after[1]) };
   return Dot(facets[0].Normal(), facets[1].Normal()) > LeastAgreement &&
     std::all_of(std::begin(facets), std::end(facets),
       [this, &old, limit](const Facet& facet)
@@ -95,6 +234,20 @@ bool GroundNormals::AllowsFlip(const BodyTets& tets, const std::array<std::array
         return this->Agreement(facet) >= limit && Dot(facet.Normal(), old[0].Normal()) > 0.0 &&
           Dot(facet.Normal(), old[1].Normal()) > 0.0;
       });
+}
+
+void GroundNormals::Move(Id vertex, const GroundPlace& place)
+{
+  this->Tets.Body.BoundaryPlaces[At(vertex)] = place.Triangle;
+  if (!this->Tets.IsOnLine(vertex))
+  {
+    this->Tets.Body.Sizes[At(vertex)] = this->Ground.SizeAt(place.Triangle, place.Place);
+    return;
+  }
+  const Id chain = this->Tets.Body.PieceChains[At(this->Tets.PiecesAt(vertex)[0])];
+  Point3 nearest;
+  Id& segment = this->Segments[At(vertex)];
+  segment = this->NearestOnChain(chain, segment, place.Place, nearest);
 }
 
 } // namespace biting

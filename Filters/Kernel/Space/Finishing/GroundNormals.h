@@ -13,36 +13,54 @@ namespace biting
 {
 
 /// The changes of the boundary that the ground allows: the angles between the normal of a new facet
-/// and those of the ground at its vertices are at most 45 degrees, or that of the facets before.
+/// and those of the ground at its vertices are at most 45 degrees, or that of the facets before;
+/// where vertices go, or slide on lines, the ground is at most a tenth of f away, or as far as it
+/// was.
 class GroundNormals
 {
 public:
-  GroundNormals(const SurfaceGround& ground, RelaxedBody& body)
+  GroundNormals(const SurfaceGround& ground, BodyTets& tets)
     : Ground(ground)
     , Patches(ground)
-    , Body(body)
+    , Tets(tets)
   {
   }
 
-  /// GroundPatches::Project, on the patch of the vertex, which is of the boundary.
-  GroundPlace Project(Id vertex, const Point3& place) const
+  /// A facet, and what it becomes: its corner `From` goes to a place.
+  struct FacetChange
   {
-    return this->Patches.Project(this->Body.BoundaryPlaces[At(vertex)], place);
+    Id Record;
+    std::array<Id, 3> Corners;
+    Id From;
+  };
+
+  /// The place of the chain, or the patch, of a vertex of the boundary that is nearest to the
+  /// place: a local minimum.
+  GroundPlace Project(Id vertex, const Point3& place);
+
+  /// The nearest place of the patch of a record.
+  GroundPlace ProjectOnFacet(Id record, const Point3& place) const
+  {
+    return this->Patches.Project(this->Tets.Body.FacetPlaces[At(record)], place);
   }
 
-  /// `star`: slots of the vertex.
-  bool AllowsMove(
-    const BodyTets& tets, const std::vector<Id>& star, Id vertex, const GroundPlace& place) const;
+  /// Whether a vertex may slide there. `star`: its slots.
+  bool AllowsMove(const std::vector<Id>& star, Id vertex, const GroundPlace& place) const;
+
+  /// Whether the facets may be replaced by those with `to` in place of From: a vertex on no line,
+  /// or NoId for one that is new, at the place.
+  bool AllowsChange(
+    const std::vector<FacetChange>& changes, Id to, const GroundPlace& place) const;
+
+  /// Whether AllowsChange, and the ground stays near: facets of one vertex that goes to `to`.
+  bool AllowsMerge(const std::vector<FacetChange>& changes, Id vertex, Id to) const;
 
   /// Whether two facets may become two others.
-  bool AllowsFlip(const BodyTets& tets, const std::array<std::array<Id, 3>, 2>& before,
+  bool AllowsFlip(const std::array<std::array<Id, 3>, 2>& before,
     const std::array<std::array<Id, 3>, 2>& after) const;
 
-  void Move(Id vertex, const GroundPlace& place)
-  {
-    this->Body.BoundaryPlaces[At(vertex)] = place.Triangle;
-    this->Body.Sizes[At(vertex)] = this->Ground.SizeAt(place.Triangle, place.Place);
-  }
+  /// Notes that the vertex is there now.
+  void Move(Id vertex, const GroundPlace& place);
 
 private:
   /// Corners of a facet, and the triangle of the ground at each, NoId on lines.
@@ -54,12 +72,18 @@ private:
     Point3 Normal() const;
   };
 
-  Facet FacetOf(const BodyTets& tets, const std::array<Id, 3>& corners) const;
+  Facet FacetOf(const std::array<Id, 3>& corners) const;
+  Facet Changed(const FacetChange& change, const GroundPlace& place) const;
+  bool AllowsFacet(const Facet& before, const Facet& after) const;
   double Agreement(const Facet& facet) const;
+  bool AllowsSlide(Id vertex, const Point3& place) const;
+  double DistanceOf(Id record, const Facet& facet) const;
+  Id NearestOnChain(Id chain, Id segment, const Point3& place, Point3& nearest) const;
 
   const SurfaceGround& Ground;
   GroundPatches Patches;
-  RelaxedBody& Body;
+  BodyTets& Tets;
+  std::vector<Id> Segments; ///< of vertices on lines: places in Chains.Vertices; NoId: not known
 };
 
 } // namespace biting

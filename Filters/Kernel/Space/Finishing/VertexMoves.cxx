@@ -6,7 +6,8 @@
 #include "../../Base/Numbers.h"
 #include "TrialSteps.h"
 
-#include <algorithm> // for find, max, sort
+#include <algorithm> // for any_of, find, max, remove_if, replace, set_intersection, sort
+#include <iterator>  // for back_inserter
 
 namespace biting
 {
@@ -88,7 +89,7 @@ void VertexMoves::Move(Id vertex, const Point3& place)
 /// Moves the vertex there, or to the nearest place of its patch, if that suits.
 bool VertexMoves::Try(Id vertex, const Point3& place, double limit)
 {
-  if (vertex >= this->Tets.Body.NumberOnBoundary)
+  if (this->Tets.IsInside(vertex))
   {
     const bool suits = this->Suits(place, limit);
     if (suits)
@@ -100,7 +101,7 @@ bool VertexMoves::Try(Id vertex, const Point3& place, double limit)
   }
   const GroundPlace onGround = this->Normals.Project(vertex, place);
   const bool suits = this->Suits(onGround.Place, limit) &&
-    this->Normals.AllowsMove(this->Tets, this->Tets.StarOf(vertex), vertex, onGround);
+    this->Normals.AllowsMove(this->Tets.StarOf(vertex), vertex, onGround);
   if (suits)
   {
     this->Move(vertex, onGround.Place);
@@ -111,7 +112,7 @@ bool VertexMoves::Try(Id vertex, const Point3& place, double limit)
 
 bool VertexMoves::Smooth(Id vertex, double good)
 {
-  const bool isInside = vertex >= this->Tets.Body.NumberOnBoundary;
+  const bool isInside = this->Tets.IsInside(vertex);
   const Point3 old = this->Tets.Mesh.PointAt(vertex);
   this->Gather(vertex);
   const Point3 way = isInside ? this->WayInside(old) : this->WayOnGround(vertex);
@@ -179,7 +180,7 @@ Point3 VertexMoves::WayOnGround(Id vertex) const
 bool VertexMoves::Improve(Id vertex, double good)
 {
   constexpr int MostMoves = 64; // more than good places take; where none is good it ends there
-  if (vertex < this->Tets.Body.NumberOnLines ||
+  if ((this->Tets.IsOnLine(vertex) && this->Tets.PiecesAt(vertex)[0] == NoId) ||
     this->Tets.TriedMoves[At(vertex)] > this->Tets.Touched[At(vertex)] ||
     this->Tets.NumberOfMoves[At(vertex)] >= MostMoves)
   {
@@ -213,7 +214,12 @@ bool VertexMoves::Improve(Id vertex, double good)
 
 bool VertexMoves::Merge(Id vertex, Id other)
 {
+  const bool isInside = this->Tets.IsInside(vertex);
   this->Change.Clear();
+  if (!isInside && !this->FindFacets(vertex, other))
+  {
+    return false;
+  }
   double before = 0.0;
   for (const Id slot : this->Tets.StarOf(vertex))
   {
@@ -223,7 +229,7 @@ bool VertexMoves::Merge(Id vertex, Id other)
   this->Star.clear();
   this->GatherBut(vertex, other);
   const std::size_t fillings = this->Star.size();
-  const bool isFree = other >= this->Tets.Body.NumberOnBoundary;
+  const bool isFree = isInside && this->Tets.IsInside(other);
   Point3 place = this->Tets.Mesh.PointAt(other);
   if (isFree)
   {
@@ -241,9 +247,14 @@ bool VertexMoves::Merge(Id vertex, Id other)
       worst = std::min(worst, tried);
       return goes;
     });
-  if (!(this->WorstAt(place, before - LeastGain) < before))
+  if (!(this->WorstAt(place, before - LeastGain) < before) ||
+    (!isInside && !this->IsMergeable(vertex, other)))
   {
     return false;
+  }
+  if (this->Tets.IsOnLine(vertex))
+  {
+    this->Tets.JoinPieces(vertex, this->Tets.PieceBetween(vertex, other));
   }
   for (std::size_t k = 0; k < fillings; ++k)
   {
@@ -256,6 +267,131 @@ bool VertexMoves::Merge(Id vertex, Id other)
   this->Move(other, place);
   this->Change.Apply(this->Tets);
   return true;
+}
+
+/// Sets the facets of a vertex of the boundary that become others, or go, where it goes along an
+/// edge of two facets and more to `other`, on its chain or patch. False where it may not.
+bool VertexMoves::FindFacets(Id vertex, Id other)
+{
+  const std::array<Id, 2> pieces = this->Tets.PiecesAt(vertex);
+  const Id piece = this->Tets.PieceBetween(vertex, other);
+  if (this->Tets.IsInside(other) ||
+    (this->Tets.IsOnLine(vertex) && (pieces[0] == NoId || piece == NoId)))
+  {
+    return false;
+  }
+  if (piece != NoId)
+  {
+    const Id end = this->Tets.OtherEnd(pieces[0] == piece ? pieces[1] : pieces[0], vertex);
+    if (end == other || this->Tets.PieceBetween(end, other) != NoId)
+    {
+      return false;
+    }
+  }
+  this->Facets.clear();
+  std::size_t gone = 0;
+  for (const Id own : this->Tets.StarOf(vertex))
+  {
+    for (Id slot = own & ~3; slot < (own & ~3) + 4; ++slot)
+    {
+      const Id record = slot == own ? NoId : this->Tets.RecordOf(slot);
+      const auto isIt = [record](const CellChange::NewFacet& f) { return f.Record == record; };
+      std::vector<CellChange::NewFacet>& facets = this->Change.Facets;
+      if (record < 0 || std::any_of(facets.begin(), facets.end(), isIt))
+      {
+        continue;
+      }
+      std::array<Id, 3> corners = this->Tets.FacetCorners(slot);
+      const bool goes = std::find(corners.begin(), corners.end(), other) != corners.end();
+      gone += goes ? 1 : 0;
+      if (!goes)
+      {
+        this->Facets.push_back({ record, corners, vertex });
+      }
+      std::replace(corners.begin(), corners.end(), vertex, goes ? NoId : other);
+      facets.push_back({ record, goes ? std::array<Id, 3>{ NoId, NoId, NoId } : corners });
+    }
+  }
+  return gone > 1;
+}
+
+/// Whether the mesh stays one, with its boundary: all that is at both vertices is at the edge
+/// between them (link condition); and the ground allows it.
+bool VertexMoves::IsMergeable(Id vertex, Id other)
+{
+  using Edge = std::array<Id, 3>; // two ends; 1: of a facet with a record
+  const auto linkOf = [this](Id at, std::vector<Edge>& link, Id across)
+  {
+    link.clear();
+    for (const Id own : this->Tets.StarOf(at))
+    {
+      const std::array<Id, 3> c = this->Tets.FacetCorners(own);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const Id a = c[k];
+        const Id b = c[(k + 1) % 3];
+        Id slot = own & ~3; // of the facet with both
+        const Id third = c[(k + 2) % 3];
+        while (this->Tets.VertexAt(slot) != third)
+        {
+          ++slot;
+        }
+        const Id isOnFacet = this->Tets.RecordOf(slot) >= 0 ? 1 : 0;
+        link.push_back({ std::min(a, b), std::max(a, b), 0 });
+        link.push_back({ a, a, 0 });
+        if (isOnFacet == 1)
+        {
+          link.push_back({ std::min(a, b), std::max(a, b), 1 });
+          link.push_back({ a, a, 1 });
+          link.push_back({ b, b, 1 });
+        }
+      }
+    }
+    const auto isOf = [across](const Edge& edge) { return edge[0] == across || edge[1] == across; };
+    link.erase(std::remove_if(link.begin(), link.end(), isOf), link.end());
+    std::sort(link.begin(), link.end());
+    link.erase(std::unique(link.begin(), link.end()), link.end());
+  };
+  std::vector<Edge>& first = this->Links[0];
+  std::vector<Edge>& second = this->Links[1];
+  std::vector<Edge>& both = this->Links[2];
+  std::vector<Edge>& between = this->Links[3];
+  linkOf(vertex, first, other);
+  linkOf(other, second, vertex);
+  both.clear();
+  std::set_intersection(
+    first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(both));
+  between.clear();
+  for (const Id own : this->Tets.StarOf(vertex))
+  {
+    const std::array<Id, 3> c = this->Tets.FacetCorners(own);
+    const auto place = std::find(c.begin(), c.end(), other);
+    if (place == c.end())
+    {
+      continue;
+    }
+    const auto k = static_cast<std::size_t>(place - c.begin());
+    const Id a = c[(k + 1) % 3];
+    const Id b = c[(k + 2) % 3];
+    between.push_back({ std::min(a, b), std::max(a, b), 0 });
+    for (const Id end : { a, b })
+    {
+      const Id third = end == a ? b : a;
+      Id slot = own & ~3;
+      while (this->Tets.VertexAt(slot) != third)
+      {
+        ++slot;
+      }
+      between.push_back({ end, end, 0 });
+      if (this->Tets.RecordOf(slot) >= 0)
+      {
+        between.push_back({ end, end, 1 });
+      }
+    }
+  }
+  std::sort(between.begin(), between.end());
+  between.erase(std::unique(between.begin(), between.end()), between.end());
+  return both == between && this->Normals.AllowsMerge(this->Facets, vertex, other);
 }
 
 /// The badness of the worst of the star with the vertex there; infinite where it is not below the

@@ -36,11 +36,12 @@ public:
 
   /// Moves a vertex so that the worst of its tetrahedra gets better, by trial in directions with
   /// steps that get smaller, until it is better than `good`: inside, or on its patch of the ground.
-  /// Those on lines stay.
+  /// Those on lines slide along them; corners stay.
   bool Improve(Id vertex, double good);
 
-  /// Merges an inner vertex into `other`, of a common cell, which replaces it in its cells. If
-  /// `other` is inside, it moves to where the worst of the cells about both is best.
+  /// Merges a vertex into `other`, of a common cell, which replaces it in its cells. If both are
+  /// inside, `other` moves to where the worst of the cells about both is best. A vertex of the
+  /// boundary goes along an edge of its patch, or chain, where GroundNormals allows it.
   bool Merge(Id vertex, Id other);
 
 private:
@@ -59,6 +60,8 @@ private:
   double WorstAt(const Point3& place, double limit);
   double Load(double Cone::*badness) const;
   void Move(Id vertex, const Point3& place);
+  bool FindFacets(Id vertex, Id other);
+  bool IsMergeable(Id vertex, Id other);
   bool Try(Id vertex, const Point3& place, double limit);
   Point3 WayInside(const Point3& place) const;
   Point3 WayOnGround(Id vertex) const;
@@ -71,6 +74,8 @@ private:
   std::vector<Cone> Star; ///< the worst comes first
   double MostLoad = Infinity;
   CellChange Change;
+  std::vector<GroundNormals::FacetChange> Facets; ///< that change where a vertex goes
+  std::array<std::vector<std::array<Id, 3>>, 4> Links;
 };
 
 } // namespace biting

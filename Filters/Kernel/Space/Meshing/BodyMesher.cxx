@@ -301,12 +301,14 @@ private:
     body.Corners = std::move(cells.Corners);
     body.Twins = std::move(cells.Twins);
     body.Regions = std::move(cells.Labels);
+    body.NumberOfCorners = bites.NumberOfCorners;
     body.NumberOnLines = bites.NumberOnLines;
     body.NumberOnBoundary = bites.Size();
     body.BoundaryPlaces = bites.Triangles;
     body.Facets = this->Certified.Boundary.Corners;
+    body.FacetPlaces = this->Certified.Boundary.Triangles;
     body.PieceEnds = bites.PieceEnds;
-    body.FacetTags.assign(body.Facets.size() / 3, 0); // pieces, which stay, bound patches
+    body.PieceChains = bites.PieceChains;
     std::vector<double>().swap(this->Weights);
     std::vector<double>().swap(this->Inside.Sizes);
     if (!this->Options.Surface.KeepBites)
@@ -359,18 +361,13 @@ private:
     boundary.Spacing.assign(
       this->Body.Sizes.begin(), this->Body.Sizes.begin() + static_cast<std::ptrdiff_t>(onBoundary));
     boundary.Corners = std::move(this->Body.Facets);
-    DescribeMesh(this->Surface, this->Certified, this->Options.Surface, boundary, pulse);
+    this->DescribeBoundary(boundary, pulse);
     mesh.BoundaryCells = std::move(verdict.CellsBehind);
     mesh.OriginalPoints = boundary.OriginalPoints;
     mesh.OriginalPoints.resize(this->Body.Points.size(), NoId);
     mesh.Points = std::move(this->Body.Points);
     mesh.Spacing = std::move(this->Body.Sizes);
-    mesh.BiteOrders = this->Body.Origins.empty() ? std::move(this->BiteOrders) : this->Body.Origins;
-    for (std::size_t v = 0; v < this->Body.Origins.size(); ++v)
-    {
-      const Id origin = this->Body.Origins[v];
-      mesh.BiteOrders[v] = origin == NoId ? NoId : this->BiteOrders[At(origin)];
-    }
+    mesh.BiteOrders = std::move(this->BiteOrders);
     mesh.Corners = std::move(this->Body.Corners);
     mesh.Regions = std::move(this->Body.Regions);
     for (Id& region : mesh.Regions)
@@ -388,6 +385,38 @@ private:
       mesh.BiteAxes = std::move(this->Inside.Axes);
     }
     return mesh;
+  }
+
+  /// Vertices that relaxation took away are none; those that it added are of no bite.
+  void DescribeBoundary(BitingSurface& boundary, Pulse& pulse)
+  {
+    SurfaceBites& bites = this->Certified.Bites;
+    const std::vector<Id>& origins = this->Body.Origins;
+    const std::vector<Id> orders = std::move(this->BiteOrders);
+    const std::vector<Id> vertices = std::move(bites.GroundVertices);
+    const std::vector<Point3> centers = std::move(bites.Centers);
+    this->BiteOrders.clear();
+    bites.GroundVertices.clear();
+    for (std::size_t v = 0; v < origins.size(); ++v)
+    {
+      const Id origin = origins[v];
+      this->BiteOrders.push_back(origin == NoId ? NoId : orders[At(origin)]);
+      if (v < boundary.Points.size())
+      {
+        bites.GroundVertices.push_back(origin == NoId ? NoId : vertices[At(origin)]);
+      }
+    }
+    bites.Centers = boundary.Points;
+    bites.Triangles = std::move(this->Body.BoundaryPlaces);
+    bites.NumberOnLines = this->Body.NumberOnLines;
+    bites.PieceEnds = std::move(this->Body.PieceEnds);
+    bites.PieceChains = std::move(this->Body.PieceChains);
+    DescribeMesh(this->Surface, this->Certified, this->Options.Surface, boundary, pulse);
+    std::copy_n(this->BiteOrders.begin(), boundary.Points.size(), boundary.BiteOrders.begin());
+    if (this->Options.Surface.KeepBites)
+    {
+      boundary.BiteCenters = centers;
+    }
   }
 
   CheckedSurface Surface; ///< turned as its bodies want

@@ -199,7 +199,7 @@ private:
   void AddFacet(const GroundPatches& patches, Id slot)
   {
     const Facet facet = this->FacetAt(slot);
-    const Id code = RelaxedBody::CodeOf(static_cast<Id>(this->Body.FacetTags.size()));
+    const Id code = RelaxedBody::CodeOf(static_cast<Id>(this->Body.FacetPlaces.size()));
     if (this->Body.Twins[At(slot)] != NoId)
     {
       this->Body.Twins[At(this->Body.Twins[At(slot)])] = code;
@@ -211,7 +211,7 @@ private:
       middle = middle + (1.0 / 3.0) * this->Body.Points[At(corner)];
     }
     this->Body.Facets.insert(this->Body.Facets.end(), facet.begin(), facet.end());
-    this->Body.FacetTags.push_back(patches.PatchOf(this->TriangleAt(middle)));
+    this->Body.FacetPlaces.push_back(patches.PatchOf(this->TriangleAt(middle)));
   }
 
   /// Edges where patches meet.
@@ -222,7 +222,7 @@ private:
     {
       const Id a = this->Body.Facets[k];
       const Id b = this->Body.Facets[NextSlotOf(k)];
-      tags[std::minmax(a, b)].push_back(this->Body.FacetTags[k / 3]);
+      tags[std::minmax(a, b)].push_back(this->Body.FacetPlaces[k / 3]);
     }
     for (const auto& [ends, tagsThere] : tags)
     {
@@ -301,8 +301,8 @@ void ExpectPatches(const Cube& cube)
   {
     ++edges[std::minmax(body.Facets[k], body.Facets[NextSlotOf(k)])];
     const Point3 off =
-      body.Points[At(body.Facets[k])] - cube.Ground.Mesh.At(3 * At(body.FacetTags[k / 3]));
-    EXPECT_EQ(Dot(off, cube.Ground.NormalOf(At(body.FacetTags[k / 3]))), 0.0);
+      body.Points[At(body.Facets[k])] - cube.Ground.Mesh.At(3 * At(body.FacetPlaces[k / 3]));
+    EXPECT_EQ(Dot(off, cube.Ground.NormalOf(At(body.FacetPlaces[k / 3]))), 0.0);
   }
   for (std::size_t k = 0; k < body.PieceEnds.size(); k += 2)
   {
