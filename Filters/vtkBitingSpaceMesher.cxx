@@ -3,7 +3,6 @@
 
 #include "vtkBitingSpaceMesher.h"
 
-#include "Bridge/Drawing/CellTags.h"
 #include "Bridge/Run/ProblemReport.h"
 #include "Bridge/Source/SpaceSpacing.h"
 #include "vtkBitingSpaceMesherExecution.h"
@@ -13,7 +12,8 @@
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 
-#include <algorithm> // for max, transform
+#include <algorithm> // for max, min
+#include <cstdint>   // for counts
 #include <utility>   // for move
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -66,7 +66,7 @@ void vtkBitingSpaceMesher::Execution::Run(const biting::WholeInput& surface,
   const auto run = [this, &surface, &source, outputs]()
   {
     if (this->Gather(surface, source) && this->ReadParameters() && this->ReadSurface() &&
-      this->Check() && this->ReadRegions() && this->ReadSpacing() && this->Mesh())
+      this->ReadRegions() && this->Check() && this->ReadSpacing() && this->Mesh())
     {
       this->Progress.BeginStage("Writing the mesh");
       this->Filter->Summary = this->Write(outputs) + this->Filter->Summary;
@@ -144,15 +144,20 @@ bool vtkBitingSpaceMesher::Execution::Check()
   this->Surface = biting::CheckSurface(std::move(this->Given.Mesh), options, found, this->Progress);
   for (const biting::ProblemGroup& group : found.Groups())
   {
-    const bool isMeshed = (this->TakesOpen() && group.Code == biting::ProblemCode::OpenEdges) ||
-      group.Code == biting::ProblemCode::NonManifoldEdges;
-    for (const biting::Problem& problem : group.First)
+    const bool isMeshed = group.Code == biting::ProblemCode::NonManifoldEdges ||
+      group.Code ==
+        (this->TakesOpen() ? biting::ProblemCode::OpenEdges : biting::ProblemCode::PinchedVertices);
+    const auto kept = static_cast<std::int64_t>(group.First.size());
+    for (std::int64_t k = 0; k < group.Count && !isMeshed; ++k) // all are counted
     {
-      if (!isMeshed)
-      {
-        this->Problems.Add(problem);
-      }
+      this->Problems.Add(group.First[static_cast<std::size_t>(std::min(k, kept - 1))]);
     }
+  }
+  const std::vector<biting::Id>& cells = this->Surface.Mesh.Cells;
+  this->Options.Regions = this->Surface.Shells.RegionOf;
+  for (std::size_t t = 0; t < cells.size() && this->Regions.Array; ++t)
+  {
+    this->Options.Regions[t] = this->Regions.Numbers[static_cast<std::size_t>(cells[t])];
   }
   return this->AcceptProblems(nullptr) && !this->WasAborted();
 }
@@ -161,18 +166,15 @@ bool vtkBitingSpaceMesher::Execution::Check()
 bool vtkBitingSpaceMesher::Execution::ReadRegions()
 {
   biting::Pulse pulse(this->Progress);
-  std::vector<biting::Id>& numbers = this->RegionNumbers;
-  if (!this->Accept(
-        biting::FindRegionNumbers(this->Drawing, this->Filter->RegionArray, numbers, pulse)))
+  const std::string& name = this->Filter->RegionArray;
+  if (!this->Accept(biting::FindRegionValues(this->Drawing, name, this->Regions, pulse)))
   {
     return false;
   }
-  this->Options.Regions = this->Surface.Shells.RegionOf;
-  if (!numbers.empty())
+  biting::SurfaceMesh& mesh = this->Given.Mesh;
+  for (std::size_t t = 0; t < mesh.Cells.size() && this->Regions.Array; ++t)
   {
-    const std::vector<biting::Id>& cells = this->Surface.Mesh.Cells;
-    std::transform(cells.begin(), cells.end(), this->Options.Regions.begin(),
-      [&numbers](biting::Id cell) { return numbers[static_cast<std::size_t>(cell)]; });
+    mesh.Regions.push_back(this->Regions.Pairs[static_cast<std::size_t>(mesh.Cells[t])]);
   }
   return !pulse.HasStopped();
 }

@@ -6,6 +6,7 @@
 
 #include "vtkBitingSpaceMesher.h"
 
+#include "Bridge/Drawing/CellTags.h"
 #include "Bridge/Drawing/SurfaceFromDrawing.h"
 #include "Bridge/Ranks/Ranks.h"
 #include "Bridge/Run/FilterRun.h"
@@ -49,7 +50,7 @@ protected:
   biting::Drawing Drawing;
   biting::CheckedSurface Surface;
   biting::SurfaceMesherOptions Options;
-  std::vector<biting::Id> RegionNumbers; ///< of cells of the drawing; empty without RegionArray
+  biting::RegionValues Regions; ///< of cells of the drawing; empty without RegionArray
 
 private:
   bool Gather(const biting::WholeInput& surface, const biting::WholeInput& source);

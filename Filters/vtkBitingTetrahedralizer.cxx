@@ -8,6 +8,7 @@
 #include "Kernel/Space/Meshing/BodyMesher.h"
 #include "vtkBitingSpaceMesherExecution.h"
 
+#include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
@@ -80,7 +81,7 @@ void vtkBitingTetrahedralizer::Execution::MakeMesh()
 {
   this->Own.Surface = this->Options;
   this->Own.Surface.Relaxation = this->Options.Relaxation && this->Own.MaximumNumberOfBites == 0;
-  if (this->RegionNumbers.empty())
+  if (!this->Regions.Array)
   {
     this->Own.Surface.Regions.clear(); // a part in another one bounds a cavity
   }
@@ -95,9 +96,14 @@ std::string vtkBitingTetrahedralizer::Execution::Write(vtkInformationVector* out
     biting::SpheresToPolyData(
       this->Body.BiteCenters, this->Body.BiteRadii, vtkPolyData::GetData(outputs, BITES));
   }
-  return biting::BitingBodyToGrid(this->Body, this->Surface, this->Drawing,
-    vtkUnstructuredGrid::GetData(outputs, MESH), vtkPolyData::GetData(outputs, BOUNDARY_EDGES),
-    this->Progress);
+  vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(outputs, MESH);
+  const std::string text = biting::BitingBodyToGrid(this->Body, this->Surface, this->Drawing, mesh,
+    vtkPolyData::GetData(outputs, BOUNDARY_EDGES), this->Progress);
+  if (this->Body.HasRegionValues)
+  {
+    biting::AddRegionValues(this->Regions, this->Body.Regions, mesh->GetCellData());
+  }
+  return text;
 }
 
 //------------------------------------------------------------------------------

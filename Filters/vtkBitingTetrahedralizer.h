@@ -18,6 +18,11 @@
  * As of vtkBitingSurfaceMesher, closed. What an odd number of closed surfaces encloses is filled:
  * a surface in another one bounds a cavity. With RegionArray closed surfaces enclose the region
  * of their value, and a surface in another one with another value is the wall between two regions.
+ * Walls that two regions have, each its own, become one, also where their triangles differ, as in
+ * contours of labels (vtkDiscreteMarchingCubes): no vertex moves, the volume of a region changes by
+ * the space between the triangles, and a warning says where. An array of two components has the
+ * values on both sides (vtkSurfaceNets3D); the value at the outside is no region. Regions may touch
+ * themselves or others at single edges and vertices.
  *
  * @par Input 1, the spacing source (optional), and the spacing f:
  * As of vtkBitingSurfaceMesher, in the whole body; 4 % of the diagonal where nothing is given.
@@ -25,7 +30,8 @@
  * @par Output 0, the mesh (vtkUnstructuredGrid):
  * Tetrahedra, all of positive volume. Point data: `Spacing` (f as used), `NearestNeighborDistance`
  * (N: the shortest edge), `Conformity` (min(N/f, f/N)), `BiteOrder`, `VertexKind`
- * (VertexKindType), `OriginalPointId` (of corners; -1: new). Cell data: `RegionId`,
+ * (VertexKindType), `OriginalPointId` (of corners; -1: new). Cell data: `RegionId` (numbers of the
+ * values of RegionArray, or of bodies), the array RegionArray of these values,
  * `MinimumDihedralAngle`, `MaximumDihedralAngle` (degrees), `RadiusEdgeRatio` (0.612 is best),
  * `AspectRatio` (radii of the circumscribed and of the inscribed sphere; 3 is best). Field data,
  * one value each: `NumberOfVertices`, `NumberOfTetrahedra`, `NumberOfSlivers`,

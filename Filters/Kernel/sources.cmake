@@ -187,6 +187,7 @@ set(biting_kernel_sources
   Space/Meshing/CertifiedSurface.cxx
   Space/Meshing/SurfaceMesher.cxx
   Space/Quality/TetQuality.cxx
+  Space/Surface/SharedWalls.cxx
   Space/Surface/SurfaceCheck.cxx
   Space/Surface/SurfaceCrossings.cxx
   Space/Surface/SurfaceLinks.cxx

@@ -135,6 +135,46 @@ vtkSmartPointer<vtkPolyData> WithMaterial(vtkSmartPointer<vtkPolyData> surface, 
   return surface;
 }
 
+/// A box between two corners of integer coordinates; `turned`: the diagonal of its low face along x
+/// is the other one. Points are numbered by places, so that boxes may be joined.
+void AddBox(vtkPolyData* all, const std::array<int, 3>& low, bool isTurned)
+{
+  const auto point = [all, &low](int corner)
+  {
+    const std::array<double, 3> place{ 1.0 * low[0] + corner % 2, 1.0 * low[1] + corner / 2 % 2,
+      1.0 * low[2] + corner / 4 };
+    return all->GetPoints()->InsertNextPoint(place.data());
+  };
+  const int faces[6][4] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
+    { 0, 2, 3, 1 }, { 4, 5, 7, 6 } };
+  for (int face = 0; face < 6; ++face)
+  {
+    const int shift = face == 0 && isTurned ? 1 : 0;
+    const auto corner = [&faces, &point, face, shift](int k)
+    { return point(faces[face][(k + shift) % 4]); };
+    for (const int first : { 0, 2 })
+    {
+      const vtkIdType ids[3] = { corner(first), corner(first + 1), corner(first + 2) };
+      all->GetPolys()->InsertNextCell(3, ids);
+    }
+  }
+}
+
+vtkSmartPointer<vtkPolyData> Boxes(const std::vector<std::array<int, 3>>& lows)
+{
+  auto all = vtkSmartPointer<vtkPolyData>::New();
+  all->SetPoints(vtkSmartPointer<vtkPoints>::New());
+  all->SetPolys(vtkSmartPointer<vtkCellArray>::New());
+  std::vector<double> labels;
+  for (const auto& low : lows)
+  {
+    AddBox(all, low, labels.size() % 24 == 12);
+    labels.resize(labels.size() + 12, 5.0 + 2.0 * static_cast<double>(labels.size() / 12));
+  }
+  AddArray<vtkIntArray>(all->GetCellData(), "Label", labels);
+  return all;
+}
+
 std::string ReasonOf(vtkBitingTetrahedralizer* filter)
 {
   Messages messages(filter);
@@ -257,6 +297,78 @@ TEST(BitingTetrahedralizer, LeavesCavitiesEmptyAndFillsTwoMaterialsWithAWallBetw
   EXPECT_NEAR(volumes[1], ball, 0.005);
   CheckBoundary(both);
   EXPECT_TRUE(both->GetBoundary()->GetCellData()->GetArray("Material"));
+}
+
+TEST(BitingTetrahedralizer, MakesOneWallOfTwoWithOtherTrianglesAndTellsTheLabelsOfTetrahedra)
+{
+  vtkNew<vtkBitingTetrahedralizer> filter;
+  Messages messages(filter);
+  filter->SetInputData(Boxes({ { 0, 0, 0 }, { 1, 0, 0 } }));
+  filter->SetRegionArray("Label");
+  filter->SetUniformSpacing(0.3);
+  filter->Update();
+  std::map<int, double> volumes = VolumesOf(filter->GetOutput());
+  ASSERT_EQ(volumes.size(), 2u);
+  EXPECT_NEAR(volumes[0], 1.0, 1e-9);
+  EXPECT_NEAR(volumes[1], 1.0, 1e-9);
+  CheckBoundary(filter);
+  double range[2];
+  filter->GetOutput()->GetCellData()->GetArray("Label")->GetRange(range);
+  EXPECT_EQ(range[0], 5.0);
+  EXPECT_EQ(range[1], 7.0);
+  EXPECT_NEAR(AreaOf(filter->GetBoundary()), 11.0, 1e-9); // the wall once
+  EXPECT_EQ(messages.Warnings.size(), 1u);
+  EXPECT_TRUE(Has(filter->GetSummary(), "Duplicate triangles (3)"));
+}
+
+TEST(BitingTetrahedralizer, TakesTheLabelsOfBothSides)
+{
+  auto boxes = Boxes({ { 0, 0, 0 }, { 1, 0, 0 } });
+  std::vector<double> sides;
+  boxes->BuildCells();
+  for (vtkIdType cell = 0; cell < 24; ++cell)
+  {
+    const bool isWall = cell == 2 || cell == 3;
+    sides.insert(sides.end(), { cell < 12 ? 4.0 : 9.0, isWall ? 9.0 : 0.0 });
+    if (cell == 12 || cell == 13)
+    {
+      boxes->DeleteCell(cell); // the wall, given again
+    }
+  }
+  auto labels = vtkSmartPointer<vtkIntArray>::New();
+  labels->SetName("BoundaryLabels");
+  labels->SetNumberOfComponents(2);
+  for (const double side : sides)
+  {
+    labels->InsertNextValue(static_cast<int>(side));
+  }
+  boxes->GetCellData()->AddArray(labels);
+  boxes->RemoveDeletedCells();
+  vtkNew<vtkBitingTetrahedralizer> filter;
+  filter->SetInputData(boxes);
+  filter->SetRegionArray("BoundaryLabels");
+  filter->SetUniformSpacing(0.3);
+  filter->Update();
+  EXPECT_EQ(VolumesOf(filter->GetOutput()).size(), 2u);
+  vtkDataArray* values = filter->GetOutput()->GetCellData()->GetArray("BoundaryLabels");
+  ASSERT_TRUE(values && values->GetNumberOfComponents() == 1);
+  double range[2];
+  values->GetRange(range);
+  EXPECT_EQ(range[0], 4.0);
+  EXPECT_EQ(range[1], 9.0);
+}
+
+TEST(BitingTetrahedralizer, FillsBodiesThatTouchAtAVertexOrAnEdge)
+{
+  for (const int height : { 0, 1 })
+  {
+    vtkNew<vtkBitingTetrahedralizer> filter;
+    filter->SetInputData(Boxes({ { 0, 0, 0 }, { 1, 1, height } }));
+    filter->SetUniformSpacing(0.3);
+    filter->Update();
+    EXPECT_EQ(VolumesOf(filter->GetOutput()).size(), 2u) << height;
+    EXPECT_NEAR(Figure(filter->GetOutput(), "Volume"), 2.0, 1e-9) << height;
+  }
 }
 
 TEST(BitingTetrahedralizer, FollowsASourceOfSpace)

@@ -7,6 +7,9 @@ import os
 import unittest
 
 from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkIntArray
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersGeneral import vtkDiscreteMarchingCubes
 
 simple.LoadPlugin(os.environ['BITING_PLUGIN'], ns=globals())
 
@@ -29,6 +32,27 @@ def bump(isovalue):
     volume = simple.Calculator(Input=simple.Wavelet(), ResultArrayName='Distance',
                                Function='coordsX^2+1.4*coordsY^2+2*coordsZ^2+8*sin(coordsX)')
     return simple.Contour(Input=volume, ContourBy=['POINTS', 'Distance'], Isosurfaces=[isovalue])
+
+
+def label_contours():
+    """Of a ball in two halves, which have each its own wall between them."""
+    image, labels = vtkImageData(), vtkIntArray()
+    image.SetDimensions(13, 13, 13)
+    labels.SetName('Label')
+    for k in range(13 ** 3):
+        x, y, z = k % 13 - 6, k // 13 % 13 - 6, k // 169 - 6
+        labels.InsertNextValue(0 if x * x + y * y + z * z > 20 else 3 if 2 * z > x else 8)
+    image.GetPointData().SetScalars(labels)
+    contours = vtkDiscreteMarchingCubes()
+    contours.SetInputData(image)
+    contours.SetValue(0, 3)
+    contours.SetValue(1, 8)
+    contours.Update()
+    contours.GetOutput().GetCellData().GetScalars().SetName('Label')
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(contours.GetOutput())
+    source.UpdatePipeline()
+    return source
 
 
 class TetrahedralizerProxy(unittest.TestCase):
@@ -75,6 +99,17 @@ class TetrahedralizerProxy(unittest.TestCase):
         self.assertEqual(cells.GetArrayInformation('RegionId').GetComponentRange(0), (0, 1))
         tags = simple.OutputPort(mesh, 1).GetDataInformation().GetCellDataInformation()
         self.assertEqual(tags.GetArrayInformation('Material').GetComponentRange(0), (4, 9))
+
+    def test_contours_of_labels_are_filled_with_shared_walls(self):
+        contours = label_contours()
+        mesh = BitingTetrahedralizer(Input=contours, UniformSpacing=1.5, RegionArray='Label')
+        mesh.UpdatePipeline()
+        mesh.UpdatePropertyInformation()
+        self.assertIn('Duplicate triangles', mesh.Summary)
+        cells = servermanager.Fetch(mesh, idx=0)
+        labels = cells.GetCellData().GetArray('Label')
+        self.assertEqual(sorted({labels.GetValue(k) for k in range(cells.GetNumberOfCells())}), [3, 8])
+        self.assertAlmostEqual(figure(mesh, 'Volume') / volume_of(mesh), 1, 6)
 
     def test_bodies_of_others_keep_their_volumes_and_holes(self):
         if not os.path.exists(SHARED):

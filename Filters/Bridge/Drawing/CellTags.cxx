@@ -6,6 +6,7 @@
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkSmartPointer.h"
 #include "vtkVariant.h"
 
 #include <algorithm> // for all_of, find
@@ -150,6 +151,59 @@ std::string FindRegionNumbers(
     last.swap(key);
   }
   return {};
+}
+
+std::string FindRegionValues(
+  const Drawing& drawing, const std::string& name, RegionValues& values, Pulse& pulse)
+{
+  std::vector<Id>& numbers = values.Numbers;
+  const std::string refusal = FindRegionNumbers(drawing, name, numbers, pulse);
+  if (numbers.empty())
+  {
+    return refusal;
+  }
+  values.Array = drawing.CellArrays->GetAbstractArray(name.c_str());
+  values.IsPairs = values.Array->GetNumberOfComponents() == 2;
+  std::map<RegionKey, Id> known;
+  RegionKey key;
+  values.Pairs.assign(numbers.size(), { NoId, NoId });
+  for (std::size_t cell = 0; cell < numbers.size() && pulse.Beat(); ++cell)
+  {
+    for (std::size_t k = 0; k < (values.IsPairs ? 2 : 1); ++k)
+    {
+      const auto place = static_cast<vtkIdType>(values.IsPairs ? 2 * cell + k : cell);
+      key.clear();
+      values.IsPairs ? AppendComponent(values.Array, place, key) : AppendBytes(numbers[cell], key);
+      const auto added = known.emplace(key, static_cast<Id>(known.size()));
+      values.Pairs[cell][k] = added.first->second;
+      if (added.second)
+      {
+        values.Places.push_back(place);
+      }
+    }
+  }
+  return {};
+}
+
+void AddRegionValues(
+  const RegionValues& values, const std::vector<Id>& regions, vtkFieldData* cells)
+{
+  if (!values.Array || std::string(values.Array->GetName()) == "RegionId")
+  {
+    return;
+  }
+  const auto own = vtkSmartPointer<vtkAbstractArray>::Take(values.Array->NewInstance());
+  own->SetName(values.Array->GetName());
+  own->SetNumberOfComponents(values.IsPairs ? 1 : values.Array->GetNumberOfComponents());
+  own->SetNumberOfTuples(static_cast<vtkIdType>(regions.size()));
+  for (std::size_t cell = 0; cell < regions.size(); ++cell)
+  {
+    const vtkIdType place = values.Places[static_cast<std::size_t>(regions[cell])];
+    const auto at = static_cast<vtkIdType>(cell);
+    values.IsPairs ? own->SetVariantValue(at, values.Array->GetVariantValue(place))
+                   : own->SetTuple(at, place, values.Array);
+  }
+  cells->AddArray(own);
 }
 
 std::string FindCracks(

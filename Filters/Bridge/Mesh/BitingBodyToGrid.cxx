@@ -102,7 +102,8 @@ std::string BitingBodyToGrid(BitingBody& body, const CheckedSurface& surface,
   text << volume
        << "\nEuler number of the boundary: " << figures->GetArray("EulerNumber")->GetComponent(0, 0)
        << "\n";
-  return measured.Summary() + text.str();
+  return measured.Summary() + text.str() +
+    CapsText(body.Boundary.AskedVertices, body.Points.size());
 }
 
 } // namespace biting

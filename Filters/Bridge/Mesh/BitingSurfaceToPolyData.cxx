@@ -141,10 +141,20 @@ std::string SummaryOf(const BitingSurface& mesh, const SurfaceQuality& quality)
        << "\nSmallest angle: " << quality.SmallestAngle
        << " degrees\nMean conformity: " << quality.MeanConformity
        << "\nLargest deviation from the surface: " << quality.LargestDeviation << " f\n";
-  return text.str();
+  return text.str() + CapsText(mesh.AskedVertices, mesh.Points.size());
 }
 
 } // namespace
+
+std::string CapsText(double asked, std::size_t made)
+{
+  constexpr double Worth = 2.0;
+  constexpr double Few = 100.0; // any body has some
+  const auto count = static_cast<double>(made);
+  return count > Worth * asked + Few ? "Walls, features and curvature made " +
+      Figure(count / asked, 2) + " times the vertices that the spacing asks for.\n"
+                                     : "";
+}
 
 std::string BitingSurfaceToPolyData(const BitingSurface& mesh, const CheckedSurface& surface,
   const Drawing& drawing, vtkPolyData* output, Pulse& pulse)

@@ -24,6 +24,9 @@ namespace biting
 std::string BitingSurfaceToPolyData(const BitingSurface& mesh, const CheckedSurface& surface,
   const Drawing& drawing, vtkPolyData* output, Pulse& pulse);
 
+/// A line for the summary where caps of f made many times the vertices asked for; else empty.
+std::string CapsText(double asked, std::size_t made);
+
 /// Fills `output` with one vertex cell a bite.
 void SpheresToPolyData(
   const std::vector<Point3>& centers, const std::vector<double>& radii, vtkPolyData* output);

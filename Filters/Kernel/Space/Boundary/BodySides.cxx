@@ -25,15 +25,15 @@ namespace
 class BodyFinder
 {
 public:
-  BodyFinder(SurfaceMesh& mesh, const std::vector<Id>& values, Pulse& pulse)
+  BodyFinder(SurfaceMesh& mesh, Pulse& pulse)
     : Mesh(mesh)
-    , Values(values)
+    , Values(mesh.Regions)
     , Beats(pulse)
     , Triangles(mesh.NumberOfTriangles())
     , Parts(2 * this->Triangles + 1)
     , Shells(this->Triangles)
     , IsOdd(this->Triangles, 0)
-    , IsCrowded(this->Triangles, 0)
+    , HasWalls(this->Triangles, 0)
     , IsMixed(this->Triangles, 0)
   {
   }
@@ -52,6 +52,7 @@ public:
         return std::move(this->Result);
       }
     }
+    this->DropBackground();
     this->FindValuesOfShells();
     this->DecideParts();
     this->NameWalledBodies();
@@ -139,7 +140,7 @@ private:
     {
       const std::size_t shell = this->ShellOf(this->CrowdedSlots[k] / 3);
       this->IsOdd[shell] |= this->IsOddSlot[k];
-      this->IsCrowded[shell] = 1;
+      this->HasWalls[shell] = 1;
     }
   }
 
@@ -245,20 +246,53 @@ private:
     }
   }
 
+  /// Where all triangles at the outside have two values, the one that is common to them, or the
+  /// second one, is no region: that of what is outside.
+  void DropBackground()
+  {
+    const std::size_t outside = At(this->Parts.SetOf(this->Outside()));
+    RegionPair common{ NoId, NoId };
+    bool isFirst = true;
+    for (std::size_t t = 0; t < this->Values.size(); ++t)
+    {
+      if (this->PartAt(t, 0) == outside || this->PartAt(t, 1) == outside)
+      {
+        const RegionPair& pair = this->Values[t];
+        common = isFirst ? pair : common;
+        isFirst = false;
+        for (Id& value : common)
+        {
+          value = pair[1] != NoId && (value == pair[0] || value == pair[1]) ? value : NoId;
+        }
+      }
+    }
+    const Id background = common[1] != NoId ? common[1] : common[0];
+    for (RegionPair& pair : this->Values)
+    {
+      pair[0] = pair[0] == background ? pair[1] : pair[0];
+      pair[1] = pair[1] == background || pair[1] == pair[0] ? NoId : pair[1];
+    }
+  }
+
   /// Values count where each shell has one, but for those that may have walls between bodies.
   void FindValuesOfShells()
   {
-    this->ValueOf.assign(this->Triangles, NoId);
-    this->HasValues = !this->Values.empty();
+    this->ValueOf.assign(this->Triangles, { NoId, NoId });
     std::vector<std::uint8_t> isSet(this->Triangles, 0);
-    for (std::size_t t = 0; t < this->Triangles && this->HasValues; ++t)
+    for (std::size_t t = 0; t < this->Values.size(); ++t)
     {
       const std::size_t shell = this->ShellOf(t);
+      const bool hasTwo = this->Values[t][1] != NoId;
       const bool isOther = isSet[shell] != 0 && this->ValueOf[shell] != this->Values[t];
-      this->IsMixed[shell] |= isOther ? 1 : 0;
-      this->HasValues = !isOther || this->IsCrowded[shell] != 0;
+      this->HasWalls[shell] |= hasTwo ? 1 : 0;
+      this->IsMixed[shell] |= hasTwo || isOther ? 1 : 0;
       this->ValueOf[shell] = this->Values[t];
       isSet[shell] = 1;
+    }
+    this->HasValues = !this->Values.empty();
+    for (std::size_t shell = 0; shell < this->Triangles; ++shell)
+    {
+      this->HasValues = this->HasValues && this->IsMixed[shell] <= this->HasWalls[shell];
     }
   }
 
@@ -292,17 +326,40 @@ private:
   {
     const bool isMixed = this->HasValues && this->IsMixed[shell] != 0;
     const bool hasOwn = this->HasValues && !isMixed;
-    const bool isSame =
-      this->Kinds[around] == Kind::Body && (!hasOwn || this->Names[around] == this->ValueOf[shell]);
+    const bool isSame = this->Kinds[around] == Kind::Body &&
+      (!hasOwn || this->Names[around] == this->ValueOf[shell][0]);
     const bool isEmpty = isSame && this->IsOdd[shell] == 0 && !isMixed;
     this->Kinds[part] = isEmpty ? Kind::Empty : Kind::Body;
-    this->Names[part] = hasOwn ? this->ValueOf[shell] : 0;
+    this->Names[part] = hasOwn ? this->ValueOf[shell][0] : 0;
     this->IsFixed[part] = isEmpty || hasOwn ? 1 : 0;
   }
 
-  /// Of shells of several values: each triangle belongs to the body on one of its sides that has
-  /// its value. Where one side has another value, or is no body, it is the other. Parts without
-  /// triangles of their own are cavities. Values do not count where that does not go.
+  /// Whether a body on one of the sides of the triangle has the value. Where it has not, and one side
+  /// has another value, or is no body, it is the other.
+  bool FindOwner(std::size_t t, Id value, bool& isChanged)
+  {
+    const std::array<std::size_t, 2> parts{ this->PartAt(t, 0), this->PartAt(t, 1) };
+    const auto isFixed = [this, &parts](std::size_t k) { return this->IsFixed[parts[k]] != 0; };
+    const auto isOwner = [this, &parts, &isFixed, value](std::size_t k)
+    { return isFixed(k) && this->Kinds[parts[k]] == Kind::Body && this->Names[parts[k]] == value; };
+    if (isOwner(0) || isOwner(1))
+    {
+      return true;
+    }
+    this->HasValues = this->HasValues && !(isFixed(0) && isFixed(1));
+    if (isFixed(0) != isFixed(1))
+    {
+      const std::size_t part = parts[isFixed(0) ? 1 : 0];
+      this->Names[part] = value;
+      this->IsFixed[part] = 1;
+      isChanged = true;
+    }
+    return false;
+  }
+
+  /// Of shells of several values: each value of a triangle is that of the body on one of its sides
+  /// (FindOwner). Parts without triangles of their own are cavities. Values do not count where that
+  /// does not go.
   void NameWalledBodies()
   {
     bool isChanged = true;
@@ -317,24 +374,10 @@ private:
         {
           continue;
         }
-        const std::array<std::size_t, 2> parts{ this->PartAt(t, 0), this->PartAt(t, 1) };
-        const auto isFixed = [this, &parts](std::size_t k) { return this->IsFixed[parts[k]] != 0; };
-        const auto isOwner = [this, &parts, &isFixed, t](std::size_t k)
+        for (const Id value : this->Values[t])
         {
-          return isFixed(k) && this->Kinds[parts[k]] == Kind::Body &&
-            this->Names[parts[k]] == this->Values[t];
-        };
-        if (!isOwner(0) && !isOwner(1))
-        {
-          const std::size_t part = parts[isFixed(0) ? 1 : 0];
-          this->HasValues = this->HasValues && !(isFixed(0) && isFixed(1));
-          isOpen = true;
-          if (isFixed(0) != isFixed(1))
-          {
-            this->Names[part] = this->Values[t];
-            this->IsFixed[part] = 1;
-            isChanged = true;
-          }
+          const bool isOwned = value == NoId || this->FindOwner(t, value, isChanged);
+          isOpen = isOpen || !isOwned;
         }
       }
     }
@@ -354,6 +397,7 @@ private:
       Id Order;
       std::size_t Part;
     };
+    this->Result.HasValues = this->HasValues;
     std::vector<Body> bodies;
     std::vector<Id> labels(this->Kinds.size(), NoId);
     for (std::size_t side = 0; side < 2 * this->Triangles; ++side)
@@ -390,17 +434,18 @@ private:
   }
 
   SurfaceMesh& Mesh;
-  const std::vector<Id>& Values;
+  std::vector<RegionPair> Values; ///< of triangles
   Pulse& Beats;
   std::size_t Triangles;
   DisjointSets Parts;  ///< of sides of triangles, and of what is outside: parts of space
   DisjointSets Shells; ///< of triangles that hang together by edges
-  std::vector<std::uint8_t> IsOdd;     ///< of shells: they have edges of an odd number of triangles
-  std::vector<std::uint8_t> IsCrowded; ///< of shells: they have edges of more than two
-  std::vector<std::uint8_t> IsMixed;   ///< of shells: they have several values
+  std::vector<std::uint8_t> IsOdd; ///< of shells: they have edges of an odd number of triangles
+  std::vector<std::uint8_t>
+    HasWalls;                        ///< of shells: edges of more than two, triangles of two values
+  std::vector<std::uint8_t> IsMixed; ///< of shells: they have several values
   std::vector<std::size_t> CrowdedSlots;
   std::vector<std::uint8_t> IsOddSlot; ///< of these
-  std::vector<Id> ValueOf;             ///< of shells
+  std::vector<RegionPair> ValueOf;     ///< of shells
   bool HasValues = false;
   std::vector<Kind> Kinds;           ///< of parts
   std::vector<Id> Names;             ///< of parts: their values
@@ -411,9 +456,9 @@ private:
 
 } // namespace
 
-BodySides FindBodies(SurfaceMesh& mesh, const std::vector<Id>& values, Pulse& pulse)
+BodySides FindBodies(SurfaceMesh& mesh, Pulse& pulse)
 {
-  return BodyFinder(mesh, values, pulse).Run();
+  return BodyFinder(mesh, pulse).Run();
 }
 
 } // namespace biting

@@ -99,8 +99,8 @@ private:
   Id Next(Id slot) const { return this->Boundary.Corners[NextSlotOf(At(slot))]; }
   Id Previous(Id slot) const { return this->Boundary.Corners[PreviousSlotOf(At(slot))]; }
 
-  /// Follows the fan from each facet at the bite; all of them must come in one turn. At a vertex of
-  /// features that is asked of solids only in all, and for other edges than pieces; pieces that
+  /// Follows the fan from each facet at the bite; all of them must come in one turn, but at corners
+  /// without pieces, which are pinches of the surface. At a vertex of features that is asked of solids only in all, and for other edges than pieces; pieces that
   /// turn have two facets.
   void CheckFan(Id bite)
   {
@@ -138,7 +138,7 @@ private:
         break;
       }
     }
-    if (walked != count)
+    if (walked != count && (starts > 0 || bite >= this->Bites.NumberOfCorners))
     {
       this->Tell(BoundaryFault::Pinched, bite, NoId);
     }

@@ -102,6 +102,10 @@ private:
   void FindPlaces()
   {
     this->Ground.Places.assign(this->Ground.Mesh.Points.size(), FeaturePlace::None);
+    for (const Id vertex : this->Ground.Pinches)
+    {
+      this->Ground.Places[static_cast<std::size_t>(vertex)] = FeaturePlace::Corner;
+    }
     std::size_t end = 0;
     for (std::size_t begin = 0; begin < this->Arms.size(); begin = end)
     {
@@ -110,7 +114,8 @@ private:
       {
         ++end;
       }
-      bool isCorner = end - begin != 2 || arm.Flag != this->Arms[begin + 1].Flag;
+      bool isCorner =
+        this->IsCorner(arm.Tail) || end - begin != 2 || arm.Flag != this->Arms[begin + 1].Flag;
       if (!isCorner)
       {
         const Point3 in = this->At(arm.Tail) - this->At(arm.Head);
@@ -339,6 +344,7 @@ void FlagFeatures(SurfaceGround& ground, const std::vector<Id>& regions, double 
   const SurfaceLinks links = LinkSurface(ground.Mesh, pulse);
   const auto regionOf = [&regions](std::size_t slot)
   { return regions.empty() ? 0 : regions[slot / 3]; };
+  ground.Pinches = PinchedVertices(ground.Mesh, links, pulse);
   ground.Flags.assign(ground.Mesh.Corners.size(), 0);
   for (std::size_t slot = 0; slot < ground.Flags.size(); ++slot)
   {

@@ -9,13 +9,13 @@
 namespace biting
 {
 
-/// Sets Flags by the edges of the surface that are open, of more than two triangles, between two
+/// Sets Pinches, and Flags by the edges of the surface that are open, of more than two triangles, between two
 /// regions, or where it turns by more than `angle` degrees.
 void FlagFeatures(
   SurfaceGround& ground, const std::vector<Id>& regions, double angle, Pulse& pulse);
 
-/// Sets Places and Chains by Flags. A corner is a vertex where the number of chains is not two,
-/// where chains of two kinds meet, or where a chain turns by more than 50 degrees.
+/// Sets Places and Chains by Flags. A corner is a pinch, or a vertex where the number of chains is
+/// not two, where chains of two kinds meet, or where a chain turns by more than 50 degrees.
 void FindChains(SurfaceGround& ground);
 
 /// Merges the two corners of each chain shorter than a tenth of f as given. The other chains of the

@@ -73,6 +73,7 @@ struct SurfaceGround
   std::vector<Point3> Normals;      ///< unit, of the triangles of the input
   std::vector<TriangleSides> Sides; ///< of these; empty where the surface bounds nothing
   std::vector<FeaturePlace> Places;
+  std::vector<Id> Pinches; ///< vertices where several fans of triangles meet: corners
   FeatureChains Chains;
   ListsByKey TrianglesAt; ///< of vertices
 

@@ -68,7 +68,14 @@ private:
   {
     this->Listener.BeginStage("Looking for bodies");
     Pulse pulse(this->Listener);
-    this->Bodies = FindBodies(this->Surface.Mesh, this->Options.Surface.Regions, pulse);
+    if (this->Surface.Mesh.Regions.empty())
+    {
+      for (const Id region : this->Options.Surface.Regions)
+      {
+        this->Surface.Mesh.Regions.push_back({ region, NoId });
+      }
+    }
+    this->Bodies = FindBodies(this->Surface.Mesh, pulse);
     const Id open = this->Bodies.OpenTriangle;
     if (open != NoId && MayGoOn(this->Problems, pulse))
     {
@@ -131,6 +138,7 @@ private:
       expected += densities[k] * box.Size(0) * box.Size(1) * box.Size(2) /
         static_cast<double>(densities.size());
     }
+    this->AskedInside = expected;
     constexpr double Surely = 2.0; // samples of a graded f are off
     const auto most = static_cast<double>(this->Options.Surface.MaximumNumberOfVertices);
     return expected > Surely * most ? this->RefuseSize() : MayGoOn(this->Problems, pulse);
@@ -369,6 +377,8 @@ private:
     mesh.Spacing = std::move(this->Body.Sizes);
     mesh.BiteOrders = std::move(this->BiteOrders);
     mesh.Corners = std::move(this->Body.Corners);
+    boundary.AskedVertices = this->AskedInside + 0.5 * boundary.AskedVertices;
+    mesh.HasRegionValues = this->Bodies.HasValues;
     mesh.Regions = std::move(this->Body.Regions);
     for (Id& region : mesh.Regions)
     {
@@ -428,7 +438,8 @@ private:
   std::vector<double> Weights;                  ///< of bites
   std::function<double(const Point3&)> Spacing; ///< f in the body
   InteriorBites Inside;
-  bool IsCutShort = false; ///< bites were not to go on
+  double AskedInside = 0.0; ///< vertices, by f as given
+  bool IsCutShort = false;  ///< bites were not to go on
   RelaxedBody Body;
   std::vector<Id> BiteOrders; ///< of its points
 };

@@ -16,7 +16,7 @@ namespace biting
 struct BodyMesherOptions
 {
   /// As for the surface; Spacing is asked in the whole of space, and is 4 % of the diagonal where
-  /// it is empty. Regions, of each triangle: a closed shell with one value all over encloses the
+  /// it is empty. Regions, of each triangle, where CheckedSurface::Mesh has none: a closed shell with one value all over encloses the
   /// region of that value; a shell within another of the same value is a cavity of it. Without
   /// values, or where a shell has several, insides are found by even-odd. Walls that bodies share:
   /// FindBodies.
@@ -31,7 +31,7 @@ struct BodyMesherOptions
 struct BitingBody
 {
   /// The boundary, and interfaces between regions: its vertices are the first ones of the body. Its
-  /// bites are the first ones, too.
+  /// bites are the first ones, too. AskedVertices are those of the whole body.
   BitingSurface Boundary;
   std::vector<Id> BoundaryCells; ///< of triangles: the tetrahedron they are a facet of
 
@@ -43,7 +43,8 @@ struct BitingBody
 
   // Tetrahedra: four vertices each, positive by Orient3D.
   std::vector<Id> Corners;
-  std::vector<Id> Regions; ///< the value of the shell; or numbers of bodies from 0
+  std::vector<Id> Regions;      ///< values of the surface; or numbers of bodies from 0
+  bool HasRegionValues = false; ///< the former
 
   // Only with KeepBites: of all bites, those of the boundary first.
   std::vector<Point3> BiteCenters;

@@ -12,7 +12,7 @@
 #include "ExpectedVertices.h"
 
 #include <algorithm> // for all_of, fill_n, max, min
-#include <cmath>     // for isfinite
+#include <cmath>     // for isfinite, sqrt
 #include <limits>    // for counts
 #include <utility>   // for move
 
@@ -51,6 +51,7 @@ public:
     , Bites(result.Bites)
     , Tree(result.Tree)
     , Boundary(result.Boundary)
+    , Asked(result.AskedVertices)
     , Problems(problems)
     , Beats(monitor)
   {
@@ -193,7 +194,8 @@ private:
       ground.Given.push_back(size);
     }
     const auto most = static_cast<double>(this->Options.MaximumNumberOfVertices);
-    if (ExpectedVertices(ground.Mesh, this->Spacing, most) > most)
+    this->Asked = ExpectedVertices(ground.Mesh, this->Spacing, most);
+    if (this->Asked > most)
     {
       this->RefuseSize();
       return;
@@ -210,6 +212,27 @@ private:
     }
     this->Tree = MakeSurfaceTree(this->Surface.Mesh, this->Beats);
     this->CapSizes();
+    this->CheckCappedSizes();
+  }
+
+  /// Refuses a ground whose capped f surely asks for too many vertices: the integral of
+  /// 2 / (sqrt(3) f^2), as in ExpectedVertices.
+  void CheckCappedSizes()
+  {
+    constexpr double Surely = 1.5;
+    const SurfaceMesh& mesh = this->Ground.Mesh;
+    double wanted = 0.0;
+    for (std::size_t t = 0; t < mesh.NumberOfTriangles(); ++t)
+    {
+      const double size = this->Ground.SizeAt(static_cast<Id>(t), mesh.Middle(t));
+      wanted += Length(mesh.Normal(t)) / (std::sqrt(3.0) * size * size);
+    }
+    if (wanted > Surely * static_cast<double>(this->Options.MaximumNumberOfVertices))
+    {
+      this->Refuse(ProblemCode::TooManyVertices, {}, NoId,
+        "about " + Figure(wanted) + " vertices on the surface, as walls, features and curvature " +
+          "cap the spacing; at most " + std::to_string(this->Options.MaximumNumberOfVertices));
+    }
   }
 
   void CapSizes()
@@ -482,6 +505,7 @@ private:
   SurfaceBites& Bites;
   BoxTree<SurfaceItem, 3>& Tree;
   SurfaceBoundary& Boundary;
+  double& Asked;
   ProblemList& Problems;
   Pulse Beats;
 };
@@ -546,6 +570,7 @@ void DescribeMesh(const CheckedSurface& surface, const CertifiedSurface& certifi
 {
   const SurfaceBites& bites = certified.Bites;
   const SurfaceGround& ground = certified.Ground;
+  mesh.AskedVertices = certified.AskedVertices;
   mesh.EdgeEnds = bites.PieceEnds;
   for (const Id chain : bites.PieceChains)
   {

@@ -24,6 +24,7 @@ struct CertifiedSurface
   SurfaceBites Bites;
   BoxTree<SurfaceItem, 3> Tree; ///< of the surface
   SurfaceBoundary Boundary;     ///< without offences
+  double AskedVertices = 0.0;   ///< about how many f as given asks for
 };
 
 /// Fills `result`, in rounds: where certificates fail, f is lowered or turning lines are given up.

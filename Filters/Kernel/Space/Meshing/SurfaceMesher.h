@@ -79,6 +79,8 @@ struct BitingSurface
   std::vector<Id> EdgeEnds;
   std::vector<SurfaceEdgeKind> EdgeKinds;
 
+  double AskedVertices = 0.0; ///< about how many f as given asks for, before it is capped
+
   // Only with KeepBites.
   std::vector<Point3> BiteCenters;
   std::vector<double> BiteRadii;

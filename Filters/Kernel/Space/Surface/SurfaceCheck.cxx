@@ -4,6 +4,7 @@
 #include "SurfaceCheck.h"
 
 #include "../../Base/Numbers.h"
+#include "SharedWalls.h"
 #include "SurfaceCrossings.h"
 #include "SurfaceRepair.h"
 #include "SurfaceWelding.h"
@@ -91,6 +92,10 @@ void SurfaceChecker::Weld()
   std::size_t welded = WeldEqualPoints(this->Mesh, this->Beats);
   welded += WeldBorders(this->Mesh, this->Options.Rounding, this->Beats);
   this->Result.Figures.WeldedPoints = static_cast<std::int64_t>(welded);
+  if (!this->Mesh.Regions.empty())
+  {
+    JoinSharedWalls(this->Mesh, this->Problems, this->Beats);
+  }
   RemoveDuplicates(this->Mesh, this->Problems, this->Beats);
   this->Links = LinkSurface(this->Mesh, this->Beats);
   RemoveFlatTriangles(this->Mesh, this->Links, this->Problems, this->Beats);

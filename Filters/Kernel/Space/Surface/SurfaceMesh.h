@@ -21,6 +21,10 @@ inline std::size_t At(Id id)
   return static_cast<std::size_t>(id);
 }
 
+/// Numbers of the regions that a triangle bounds, on either side; the second is NoId where only one
+/// is told.
+using RegionPair = std::array<Id, 2>;
+
 /// A triangulated surface of space, as a structure of arrays. Slots are as in TriangleSlots.h.
 struct SurfaceMesh
 {
@@ -28,8 +32,31 @@ struct SurfaceMesh
   std::vector<Id> PointIds; ///< of each vertex, the first point of the input at its place
   std::vector<Id> Corners;  ///< triangle t has the vertices Corners[3 t], [3 t + 1], [3 t + 2]
   std::vector<Id> Cells;    ///< of each triangle, the cell of the input that it came from
+  std::vector<RegionPair> Regions; ///< of each triangle; empty: not known
 
   std::size_t NumberOfTriangles() const { return this->Cells.size(); }
+
+  /// Triangle `to` becomes what triangle `from` is.
+  void CopyTriangle(std::size_t from, std::size_t to)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      this->Corners[3 * to + k] = this->Corners[3 * from + k];
+    }
+    this->Cells[to] = this->Cells[from];
+    if (!this->Regions.empty())
+    {
+      this->Regions[to] = this->Regions[from];
+    }
+  }
+
+  /// Keeps the first triangles, or makes room for more.
+  void Resize(std::size_t triangles)
+  {
+    this->Corners.resize(3 * triangles);
+    this->Cells.resize(triangles);
+    this->Regions.resize(this->Regions.empty() ? 0 : triangles);
+  }
 
   const Point3& At(std::size_t slot) const
   {

@@ -23,15 +23,20 @@ void Remove(SurfaceMesh& mesh, const std::vector<std::uint8_t>& isGone)
   {
     if (!isGone[t])
     {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        mesh.Corners[3 * kept + k] = mesh.Corners[3 * t + k];
-      }
-      mesh.Cells[kept++] = mesh.Cells[t];
+      mesh.CopyTriangle(t, kept++);
     }
   }
-  mesh.Corners.resize(3 * kept);
-  mesh.Cells.resize(kept);
+  mesh.Resize(kept);
+}
+
+// The triangle that stays bounds the region of its double, too.
+void AddRegion(SurfaceMesh& mesh, std::size_t from, std::size_t to)
+{
+  if (!mesh.Regions.empty() && mesh.Regions[to][1] == NoId &&
+    mesh.Regions[from][0] != mesh.Regions[to][0])
+  {
+    mesh.Regions[to][1] = mesh.Regions[from][0];
+  }
 }
 
 // Whether three points lie on one line: their shadows along all axes do.
@@ -161,13 +166,9 @@ void FlatFlips::Flip(std::size_t middle, std::size_t across)
   const Id beyondBQ = links[slotOfP];
   const Id beyondDP = links[q];
   const auto inOther = [shift, base](std::size_t slot) { return shift + slot - base; };
-  for (const std::size_t slot : { p, q, across })
-  {
-    corners[inOther(slot)] = corners[slot];
-  }
+  this->Mesh.CopyTriangle(across / 3, middle / 3);
   corners[p] = b;          // (b, q, d)
   corners[inOther(q)] = b; // (p, b, d)
-  this->Mesh.Cells[middle / 3] = this->Mesh.Cells[across / 3];
   this->Join(across, beyondBQ);
   this->Join(inOther(across), beyondBP);
   this->Join(inOther(q), beyondDP);
@@ -201,8 +202,9 @@ void RemoveDuplicates(SurfaceMesh& mesh, ProblemList& problems, Pulse& pulse)
         return;
       }
       isGone[t] = 1;
-      problems.Add({ ProblemCode::DuplicateTriangles,
-        { mesh.Cells[t], mesh.Cells[static_cast<std::size_t>(first)] }, mesh.Middle(t), "" });
+      AddRegion(mesh, t, At(first));
+      problems.Add({ ProblemCode::DuplicateTriangles, { mesh.Cells[t], mesh.Cells[At(first)] },
+        mesh.Middle(t), "" });
     });
   if (problems.Has(ProblemCode::DuplicateTriangles))
   {

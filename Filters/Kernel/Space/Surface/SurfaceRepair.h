@@ -12,7 +12,7 @@ namespace biting
 {
 
 /// Keeps the first of the triangles that have the same three vertices, whatever their orientation;
-/// tells the others as DuplicateTriangles.
+/// tells the others as DuplicateTriangles. Walls that two regions give become one, of both regions.
 void RemoveDuplicates(SurfaceMesh& mesh, ProblemList& problems, Pulse& pulse);
 
 /// Removes triangles whose corners lie on one line, exactly, and tells them as FlatTriangles.

@@ -54,16 +54,16 @@ void Renumber(SurfaceMesh& mesh, const std::vector<Id>& kept)
     }
     if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
     {
+      mesh.CopyTriangle(t, triangles);
       for (std::size_t k = 0; k < 3; ++k)
       {
         mesh.Corners[3 * triangles + k] = corners[k];
         numbers[static_cast<std::size_t>(corners[k])] = 0;
       }
-      mesh.Cells[triangles++] = mesh.Cells[t];
+      ++triangles;
     }
   }
-  mesh.Corners.resize(3 * triangles);
-  mesh.Cells.resize(triangles);
+  mesh.Resize(triangles);
   std::size_t vertices = 0;
   for (std::size_t point = 0; point < numbers.size(); ++point)
   {
