@@ -14,22 +14,14 @@ namespace biting
 namespace
 {
 
-/// A part of a curve is replaced by its chord where its middle is no farther from that, and its
-/// rays are no farther apart, than these shares of the value.
+/// Shares of the value. A chord stands for a part of a curve where the middle is at most LargestSag
+/// away from it and rays are at most WidthOfPart apart. A ray that ends nearer than ShortRay is not
+/// looked at closer. Values that differ by less than Slight do not jump.
 constexpr double LargestSag = 0.1;
 constexpr double WidthOfPart = 2.0;
-
-/// Where rays start no farther apart than this share of the value they stand for those between.
-constexpr double LeastBase = 0.01;
-
-/// A ray that ends nearer than this share of the value is not looked at closer.
 constexpr double ShortRay = 0.1;
-
-/// By less, as a share of the lower one, values do not jump, and chords need not be exact.
 constexpr double Slight = 0.02;
 
-/// Curves are divided this often, whatever rays meet.
-constexpr int LeastDivisions = 1;
 constexpr int MostDivisions = 20;
 
 /// Edges are dealt to so many tasks. Each lists at most MostParts rays and chords.
@@ -43,14 +35,11 @@ struct Ray
   Point2 Direction;
   double Value = 0.0;    ///< of the spacing where it starts
   double Most = 0.0;     ///< what bounds f there
-  double Length = 0.0;   ///< an upper bound where it does not limit f
+  double Length = 0.0;   ///< an upper bound where it is of no use
   double Other = 0.0;    ///< the value at the other place; Value where there is none
   bool IsUseful = false; ///< limits f somewhere
 
-  Point2 At(double length) const { return this->Start + length * this->Direction; }
-  Point2 End() const { return this->At(this->Length); }
-  bool IsBelow() const { return (1.0 + Slight) * this->Value < this->Other; }
-  bool IsAbove() const { return (1.0 + Slight) * this->Other < this->Value; }
+  Point2 End() const { return this->Start + this->Length * this->Direction; }
 };
 
 /// Lists what limits f, for one edge of the border after the other.
@@ -66,39 +55,36 @@ public:
   {
   }
 
-  /// From an edge, and around its end as far as the normal of the next one. Null: there is none.
-  void ListFrom(const BorderEdge& edge, const BorderEdge* previous, const BorderEdge* next)
+  /// From an edge, and around its end as far as the normal of the next one. Parts of it that are
+  /// clamped are edges of their own.
+  void ListFrom(const BorderEdge& edge, const BorderEdge& previous, const BorderEdge& next)
   {
     constexpr double Slightly = 1e-3;
-    const double length = Distance(edge.Start, edge.End);
     const Point2 outward = OutwardOf(edge);
+    const double length = Distance(edge.Start, edge.End);
     if (this->Source.ValueInside(Midpoint(edge.Start, edge.End) + Slightly * length * outward))
     {
       return;
     }
-    const double shares[4] = { 0.0, this->ShareAt(edge, this->Rule.Range.Least, 0.0),
-      this->ShareAt(edge, this->Rule.Range.Most, 1.0), 1.0 };
-    const auto [from, to] = std::minmax(shares[1], shares[2]);
-    const double sorted[4] = { 0.0, from, to, 1.0 };
-    Ray last = this->RayAt(edge, 0.0);
-    this->CastEnd(last, previous != nullptr ? previous->Start - edge.Start : outward);
-    for (std::size_t k = 1; k < 4; ++k)
+    this->Neighbors = { previous.Start, next.End };
+    const auto [from, to] = std::minmax({ this->ShareAt(edge, this->Rule.Range.Least, 0.0),
+      this->ShareAt(edge, this->Rule.Range.Most, 1.0) });
+    Ray rays[4] = { this->RayAt(edge, 0.0), this->RayAt(edge, from), this->RayAt(edge, to),
+      this->RayAt(edge, 1.0) };
+    this->CastEnd(rays[0], edge.End, rays[from > 0.0 ? 1 : 2], previous.Start);
+    this->CastEnd(rays[3], edge.Start, rays[to < 1.0 ? 2 : 1], next.End);
+    from > 0.0 ? this->Cast(rays[1], 0.0) : void(rays[1] = rays[0]);
+    to < 1.0 ? this->Cast(rays[2], 0.0) : void(rays[2] = rays[3]);
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      if (sorted[k] > sorted[k - 1])
-      {
-        const Ray first = last;
-        last = this->RayAt(edge, sorted[k]);
-        const bool isEnd = sorted[k] == 1.0;
-        this->CastEnd(last, isEnd && next != nullptr ? next->End - edge.End : -1.0 * outward);
-        this->ListBetween(first, last);
-      }
+      this->ListBetween(rays[k], rays[k + 1]);
     }
-    Ray turned = last;
-    turned.Direction = next != nullptr ? OutwardOf(*next) : outward;
+    Ray turned = rays[3];
+    turned.Direction = OutwardOf(next);
     if (Cross(outward, turned.Direction) > 0.0)
     {
-      this->Cast(turned, last.Length);
-      this->Divide(last, turned, 0);
+      this->Cast(turned, rays[3].Length);
+      this->Divide(rays[3], turned, 0);
     }
   }
 
@@ -112,9 +98,9 @@ private:
   /// Where along an edge values reach a bound; `none` where they do not.
   double ShareAt(const BorderEdge& edge, double bound, double none) const
   {
-    const double low = this->Rule.Range.Scale * edge.StartValue;
-    const double high = this->Rule.Range.Scale * edge.EndValue;
-    return (low < bound) != (high < bound) ? std::min((bound - low) / (high - low), 1.0) : none;
+    const double start = this->Rule.Range.Scale * edge.StartValue;
+    const double end = this->Rule.Range.Scale * edge.EndValue;
+    return (start < bound) != (end < bound) ? std::min((bound - start) / (end - start), 1.0) : none;
   }
 
   Ray RayAt(const BorderEdge& edge, double share) const
@@ -132,35 +118,47 @@ private:
     return DistanceOfPoints(share, this->Rule.Slope) * spacing;
   }
 
-  /// Into an edge that turns to its side a ray has no length.
-  void CastEnd(Ray& ray, const Point2& neighbor)
+  /// Where the neighbor of an edge turns to its side, a ray from their corner has no length. From
+  /// there the curve goes no steeper than between both edges: of no use where values grow along it
+  /// above what bounds f, which grows with the slope.
+  void CastEnd(Ray& ray, const Point2& end, const Ray& inner, const Point2& neighbor)
   {
-    ray.Other = ray.Value;
-    ray.IsUseful = Dot(ray.Direction, neighbor) > 0.0;
-    if (!ray.IsUseful)
+    const Point2 way = neighbor - ray.Start;
+    if (!(Dot(ray.Direction, way) > 0.0))
     {
       this->Cast(ray, 0.0);
+      return;
     }
+    const Point2 along = (1.0 / Distance(ray.Start, end)) * (end - ray.Start);
+    const Point2 across = (1.0 / Length(way)) * way;
+    ray.Other = ray.Value;
+    ray.IsUseful = (inner.Value - ray.Most) * Length(along + across) <
+      2.0 * this->Rule.Slope * Distance(ray.Start, inner.Start);
   }
 
   /// Of a part of an edge.
   void ListBetween(const Ray& first, const Ray& last)
   {
+    const double length = Distance(first.Start, last.Start);
     const Ray& low = first.Value < last.Value ? first : last;
-    const double rise = std::abs(last.Value - first.Value);
-    this->IsSteep = rise > this->Rule.Slope * Distance(first.Start, last.Start);
+    this->IsSteep = std::abs(last.Value - first.Value) > this->Rule.Slope * length;
     if (this->IsSteep && low.IsUseful && low.Length > 0.0)
     {
-      this->Add(low.Start, low.End(), low.Value, low.Value);
+      this->Add(low, low.Start, low);
     }
-    this->Divide(first, last, 0);
+    if (length > 0.0)
+    {
+      this->Divide(first, last, 0);
+    }
     this->IsSteep = false;
   }
 
   /// Whether f is limited by the curve on which a ray ends.
   bool IsNeeded(const Ray& ray) const
   {
-    return ray.IsUseful && (ray.IsBelow() || (this->IsSteep && !ray.IsAbove()));
+    return ray.IsUseful &&
+      ((1.0 + Slight) * ray.Value < ray.Other ||
+        (this->IsSteep && ray.Value <= (1.0 + Slight) * ray.Other));
   }
 
   /// Lists the chords of the curve on which the rays between two others end.
@@ -173,13 +171,20 @@ private:
       std::min(first.Most, last.Most) + 0.5 * this->Rule.Slope * base };
     this->Cast(middle, std::max(first.Length, last.Length));
     const bool isNeeded = this->IsNeeded(first) || this->IsNeeded(middle) || this->IsNeeded(last);
-    if (!isNeeded && divisions >= LeastDivisions)
+    if (divisions > 0 && !isNeeded)
     {
       return;
     }
-    const bool isLast = divisions == MostDivisions || this->Count > MostParts ||
-      (divisions > 0 && base > 0.0 && base <= this->ShareOf(middle.Value, LeastBase));
-    if (isLast || this->AreOnChord(first, middle, last))
+    const double least =
+      std::min({ first.Value, last.Value, first.Other, middle.Other, last.Other });
+    const double width = base +
+      Distance(first.Direction, last.Direction) *
+        std::max({ first.Length, middle.Length, last.Length });
+    const bool isAlike = std::abs(last.Value - first.Value) <= 2.0 * Slight * least;
+    const bool isFine = first.IsUseful == last.IsUseful
+      ? width <= this->ShareOf(least, WidthOfPart) && this->AreOnChord(first, middle, last)
+      : isAlike && base <= this->ShareOf(least, LargestSag);
+    if (isFine || divisions == MostDivisions || this->Count > MostParts)
     {
       this->AddChord(first, middle);
       this->AddChord(middle, last);
@@ -189,78 +194,69 @@ private:
     this->Divide(middle, last, divisions + 1);
   }
 
+  /// Whether a chord, and what bounds f where a ray starts, limit f as the ray does in between.
   bool AreOnChord(const Ray& first, const Ray& middle, const Ray& last) const
   {
-    const double least =
-      std::min({ first.Value, last.Value, first.Other, middle.Other, last.Other });
-    const double width = Distance(first.Start, last.Start) +
-      Distance(first.Direction, last.Direction) *
-        std::max({ first.Length, middle.Length, last.Length });
     const SegmentCone chord(first.End(), last.End(), first.Value, last.Value, this->Rule.Slope);
-    const SegmentCone::View view = chord.From(middle.End());
-    const double bound = std::min(view.Value + this->Rule.Slope * Length(view.Away),
-      middle.Most + this->Rule.Slope * middle.Length);
-    if (!first.IsUseful && !last.IsUseful)
-    {
-      return !middle.IsUseful;
-    }
-    if (!first.IsUseful || !last.IsUseful)
-    {
-      const Ray& useful = first.IsUseful ? first : last;
-      return !middle.IsUseful ||
-        std::min(useful.Value + this->Rule.Slope * Distance(useful.End(), middle.End()),
-          middle.Most + this->Rule.Slope * middle.Length) <= (1.0 + Slight) * middle.Value;
-    }
-    return width <= this->ShareOf(least, WidthOfPart) &&
-      (!middle.IsUseful || bound <= (1.0 + Slight) * middle.Value) &&
-      (chord.Length == 0.0 || Length(view.Away) <= this->ShareOf(least, LargestSag));
+    const Point2 end = middle.End();
+    const double bound =
+      std::min(chord(end, this->Rule.Slope), middle.Most + this->Rule.Slope * middle.Length);
+    return !middle.IsUseful ||
+      (first.IsUseful && bound <= (1.0 + Slight) * middle.Value &&
+        (chord.Length == 0.0 ||
+          Length(chord.From(end).Away) <= this->ShareOf(middle.Value, LargestSag)));
   }
 
   void AddChord(const Ray& first, const Ray& last)
   {
-    if (!this->IsNeeded(first) && !this->IsNeeded(last))
-    {
-      return;
-    }
     const Ray& start = first.IsUseful ? first : last;
     const Ray& end = last.IsUseful ? last : first;
-    this->Add(start.End(), end.End(), start.Value, end.Value);
+    const double rise = end.Value - start.Value;
+    const bool isSteep = std::abs(rise) > this->Rule.Slope * Distance(start.End(), end.End());
+    const Ray& low = rise > 0.0 ? start : end;
+    if ((this->IsNeeded(first) || this->IsNeeded(last)) && (!isSteep || low.Length > 0.0))
+    {
+      this->Add(start, start.End(), end);
+    }
   }
 
-  void Add(const Point2& start, const Point2& end, double startValue, double endValue)
+  void Add(const Ray& first, const Point2& start, const Ray& last)
   {
     this->Count += 1;
-    this->Edges.Add(start, end, startValue, endValue);
+    this->Edges.Add(start, last.End(), first.Value, last.Value);
   }
 
   /// Finds where a ray ends: the largest ball that touches the border where it starts, with its
   /// center on the ray, is made smaller until no other place of the border is in it, or it is far
-  /// smaller than both values.
+  /// smaller than both values. Starts from a likely length.
   void Cast(Ray& ray, double likely)
   {
     const double own = ray.Value;
-    const double most = this->LengthInBounds(ray);
-    const double least = this->ShareOf(own, ShortRay);
-    const double below = (own - ray.Most) / this->Rule.Slope + least;
-    ray.Length = std::min(std::max(least, below), most);
+    double most = Distance(ray.Start, this->Rule.Bounds.Center()) + this->Rule.Bounds.Diagonal();
+    for (const Point2& neighbor : this->Neighbors)
+    {
+      const double length = LengthTo(neighbor, ray);
+      most = length > 0.0 ? std::min(most, 1.01 * length) : most;
+    }
+    const double below = (own - ray.Most) / this->Rule.Slope + this->ShareOf(own, ShortRay);
     ray.Other = own;
     ray.IsUseful = false;
-    NearestValue found = this->NearerAt(ray);
-    if (ray.Length <= below && (found.Edge != nullptr || ray.Length == most))
+    ray.Length = std::min(std::max(this->ShareOf(own, ShortRay), below), most);
+    if (most <= below)
     {
       return;
     }
-    ray.IsUseful = true;
+    NearestValue found = this->NearerAt(ray);
+    ray.IsUseful = ray.Length > below || found.Edge == nullptr;
     for (double next = likely; found.Edge == nullptr && ray.Length < most; next = 4.0 * ray.Length)
     {
       ray.Length = std::min(std::max(ray.Length, next), most);
       found = this->NearerAt(ray);
     }
-    for (bool isLast = false; found.Edge != nullptr && !isLast;)
+    for (bool isLast = !ray.IsUseful; found.Edge != nullptr && !isLast;)
     {
       ray.Other = found.Value;
-      const Point2 toFoot = found.Foot - ray.Start;
-      const double length = std::max(0.5 * Dot(toFoot, toFoot) / Dot(toFoot, ray.Direction), 0.0);
+      const double length = std::max(LengthTo(found.Foot, ray), 0.0);
       const double lower = std::min(own, found.Value);
       // Where rounding leaves the ball as it was, it is the last one, too.
       isLast = !(length < ray.Length - this->ShareOf(lower, Slight)) ||
@@ -268,6 +264,13 @@ private:
       ray.Length = std::min(length, ray.Length);
       found = isLast ? found : this->NearerAt(ray);
     }
+  }
+
+  /// To where a place is as near as the start; not positive for one on the other side.
+  static double LengthTo(const Point2& place, const Ray& ray)
+  {
+    const Point2 way = place - ray.Start;
+    return 0.5 * Dot(way, way) / Dot(way, ray.Direction);
   }
 
   /// What is nearer to the end of a ray than its start.
@@ -280,24 +283,12 @@ private:
     return found;
   }
 
-  double LengthInBounds(const Ray& ray) const
-  {
-    double length = Infinity;
-    for (std::size_t d = 0; d < 2; ++d)
-    {
-      const Point2& limit = ray.Direction[d] < 0.0 ? this->Rule.Bounds.Low : this->Rule.Bounds.High;
-      length = ray.Direction[d] != 0.0
-        ? std::min(length, (limit[d] - ray.Start[d]) / ray.Direction[d])
-        : length;
-    }
-    return length;
-  }
-
   const TriangleInterpolator& Source;
   const std::vector<double>& Most;
   const SteepRule& Rule;
   SegmentSource& Edges;
-  bool IsSteep = false; ///< the part of an edge that rays come from
+  std::array<Point2, 2> Neighbors; ///< the next points of the border, before and behind the edge
+  bool IsSteep = false;            ///< the part of an edge that rays come from
   std::size_t Count = 0;
 };
 
@@ -309,6 +300,12 @@ void AddJumpsOutside(const TriangleInterpolator& source, const std::vector<doubl
   const std::vector<BorderEdge>& border = source.BorderEdges().Items();
   std::vector<const BorderEdge*> edgeFrom(most.size()); // of the source's points
   std::vector<const BorderEdge*> edgeTo(most.size());
+  for (const BorderEdge& edge : border)
+  {
+    // Where the border ends, by triangles on each other, an edge follows itself.
+    edgeFrom[static_cast<std::size_t>(edge.EndId)] = &edge;
+    edgeTo[static_cast<std::size_t>(edge.StartId)] = &edge;
+  }
   for (const BorderEdge& edge : border)
   {
     edgeFrom[static_cast<std::size_t>(edge.StartId)] = &edge;
@@ -324,8 +321,9 @@ void AddJumpsOutside(const TriangleInterpolator& source, const std::vector<doubl
       for (std::size_t edge = k * border.size() / NumberOfTasks; edge < last && own.Beat(64);
            ++edge)
       {
-        rays.ListFrom(border[edge], edgeTo[static_cast<std::size_t>(border[edge].StartId)],
-          edgeFrom[static_cast<std::size_t>(border[edge].EndId)]);
+        const BorderEdge& at = border[edge];
+        rays.ListFrom(at, *edgeTo[static_cast<std::size_t>(at.StartId)],
+          *edgeFrom[static_cast<std::size_t>(at.EndId)]);
       }
     });
   for (const SegmentSource& part : parts)
