@@ -296,7 +296,7 @@ private:
         const auto isOfFrame = [this, &mesh, facet](int k)
         { return this->BiteOf[At(mesh.FacetCorner(facet, k))] == NoId; };
         return !isOfFrame(0) && !isOfFrame(1) && !isOfFrame(2) &&
-          (facet < twin || mesh.IsGhost(TetMesh::CellOf(twin))) &&
+          (facet < twin || mesh.IsGhost(TetMesh::CellOf(twin))) && this->IsSmall(facet) &&
           this->Meet(this->DualOf(facet)).Count % 2 == 1;
       },
       [this](Id facet, std::size_t place)
@@ -350,6 +350,33 @@ private:
       });
   }
 
+  /// Of the bites of the facet: the farthest that its dual edge is followed beyond it.
+  double ReachOf(Id facet) const
+  {
+    double reach = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id bite = this->BiteOf[At(this->Cells.FacetCorner(facet, k))];
+      reach = std::max(reach, 1.5 * this->Bites.Sizes[At(bite)]);
+    }
+    return reach;
+  }
+
+  /// Whether all sides are shorter than the diameter of a ball of that radius. Others have no dual
+  /// edge near the surface, of which each place is nearer to a bite.
+  bool IsSmall(Id facet) const
+  {
+    const double most = 2.0 * this->ReachOf(facet);
+    bool isSmall = true;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point3& corner = this->Cells.PointAt(this->Cells.FacetCorner(facet, k));
+      const Point3& next = this->Cells.PointAt(this->Cells.FacetCorner(facet, (k + 1) % 3));
+      isSmall = isSmall && Distance(corner, next) <= most;
+    }
+    return isSmall;
+  }
+
   /// It begins at the centre of the cell of the facet.
   DualEdge DualOf(Id facet) const
   {
@@ -359,12 +386,7 @@ private:
     const Id first = mesh.FacetCorner(facet, 0);
     const Point3 foot = center + Dot(mesh.PointAt(first) - center, normal) * normal;
     const Id other = TetMesh::CellOf(mesh.Twins[At(facet)]);
-    double reach = 0.0;
-    for (int k = 0; k < 3; ++k)
-    {
-      const Id bite = this->BiteOf[At(mesh.FacetCorner(facet, k))];
-      reach = std::max(reach, 1.5 * this->Bites.Sizes[At(bite)]);
-    }
+    const double reach = this->ReachOf(facet);
     const auto height = [&normal, &foot](const Point3& place) { return Dot(place - foot, normal); };
     const double low = height(center);
     const double high = mesh.IsTetrahedron(other) ? height(this->CenterOf(other)) : Infinity;
