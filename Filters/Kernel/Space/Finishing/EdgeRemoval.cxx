@@ -268,8 +268,7 @@ bool EdgeRemoval::FlipFacets()
   const bool isInCell =
     this->Links[0].Size == 2 || (this->NumberOfLinks == 2 && this->Links[1].Size == 2);
   if (this->Tets.IsKept(p, q) || !this->IsNewEdge(p, q, isInCell) ||
-    !this->Normals.AllowsFlip(
-      { { { a, b, p }, { b, a, q } } }, { { { p, b, q }, { q, a, p } } }))
+    !this->Normals.AllowsFlip({ { { a, b, p }, { b, a, q } } }, { { { p, b, q }, { q, a, p } } }))
   {
     return false;
   }
@@ -400,7 +399,8 @@ void EdgeRemoval::FillAround(const GroundPlace& place)
   {
     const Id p = this->Links[0].Vertices[k == 0 ? 0 : this->Links[0].Size - 1];
     this->Change.Facets.push_back({ this->Records[k], { this->A, vertex, p } });
-    this->Change.Facets.push_back({ this->Tets.AddRecord(this->Records[k]), { vertex, this->B, p } });
+    this->Change.Facets.push_back(
+      { this->Tets.AddRecord(this->Records[k]), { vertex, this->B, p } });
   }
 }
 
