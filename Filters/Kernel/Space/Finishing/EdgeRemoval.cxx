@@ -40,16 +40,6 @@ bool EdgeRemoval::Improve(Id cell)
   return false;
 }
 
-Id EdgeRemoval::SlotOf(Id cell, Id vertex) const
-{
-  Id slot = 4 * cell;
-  while (this->Tets.VertexAt(slot) != vertex)
-  {
-    ++slot;
-  }
-  return slot;
-}
-
 bool EdgeRemoval::IsPositive(const BodyTets::Tetrahedron& t) const
 {
   const TetMesh& mesh = this->Tets.Mesh;
@@ -110,7 +100,7 @@ Id EdgeRemoval::Rewind(Id cell, Id& p, Id& q) const
   Id current = cell;
   for (std::size_t count = 0; count < MostOfLink; ++count)
   {
-    const Id slot = this->SlotOf(current, q);
+    const Id slot = this->Tets.SlotOf(current, q);
     if (this->Tets.RecordOf(slot) >= 0)
     {
       return current;
@@ -134,7 +124,7 @@ bool EdgeRemoval::Wind(Id first, Id p, Id q)
   this->NumberOfLinks = 0;
   this->NumberOfRecords = 0;
   this->Before = 0.0;
-  const Id begin = this->Tets.RecordOf(this->SlotOf(first, q));
+  const Id begin = this->Tets.RecordOf(this->Tets.SlotOf(first, q));
   if (begin >= 0)
   {
     this->Records[this->NumberOfRecords++] = begin;
@@ -161,7 +151,7 @@ bool EdgeRemoval::Wind(Id first, Id p, Id q)
       this->Change.Cells.push_back(current);
       this->Before = std::max(this->Before, this->Tets.Badness[At(current)]);
       link.Vertices[link.Size++] = q;
-      const Id slot = this->SlotOf(current, p);
+      const Id slot = this->Tets.SlotOf(current, p);
       record = this->Tets.RecordOf(slot);
       const Id across = this->Tets.Across(slot);
       current = across == NoId ? NoId : TetMesh::CellOf(across);
