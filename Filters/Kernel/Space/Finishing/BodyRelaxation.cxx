@@ -39,6 +39,7 @@ public:
   {
     constexpr int Sweeps = 4;
     constexpr int Rounds = 8;
+    this->MergeThinFacets();
     for (int sweep = 0; sweep < Sweeps && this->GoOn(0.15 * sweep); ++sweep)
     {
       this->SmoothAll();
@@ -125,16 +126,50 @@ private:
       if (this->IsBad(cell, limit))
       {
         isChanged = this->ImproveAround(cell) || isChanged;
-        isChanged = (this->IsBad(cell, limit) && this->MergeCorners(cell)) || isChanged;
+        isChanged =
+          (this->IsBad(cell, limit) && this->MergeAny(this->Tets.CornersOf(cell))) || isChanged;
         isChanged = (this->IsBad(cell, limit) && this->Edges.Split(cell)) || isChanged;
       }
     }
     return isChanged;
   }
 
-  bool MergeCorners(Id cell)
+  /// Merges vertices of thin facets of the boundary while there are slivers, which tetrahedra at
+  /// such facets are: later each merge would make others worse.
+  void MergeThinFacets()
   {
-    const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+    for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots() && !this->Beats.HasStopped(); ++cell)
+    {
+      this->Beats.Beat();
+      for (Id slot = 4 * cell; slot < 4 * cell + 4 && !this->Tets.Mesh.IsFree(cell); ++slot)
+      {
+        if (this->Tets.RecordOf(slot) >= 0 && this->IsThin(slot))
+        {
+          this->MergeAny(this->Tets.FacetCorners(slot));
+        }
+      }
+    }
+  }
+
+  /// Whether an angle of the facet is below 20 degrees.
+  bool IsThin(Id slot) const
+  {
+    constexpr double Tangent = 0.36397023426620234;
+    bool isThin = false;
+    const std::array<Id, 3> corners = this->Tets.FacetCorners(slot);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Point3& at = this->Tets.Mesh.PointAt(corners[k]);
+      const Point3 side = this->Tets.Mesh.PointAt(corners[(k + 1) % 3]) - at;
+      const Point3 other = this->Tets.Mesh.PointAt(corners[(k + 2) % 3]) - at;
+      isThin = isThin || Length(Cross(side, other)) < Tangent * Dot(side, other);
+    }
+    return isThin;
+  }
+
+  template <typename Corners>
+  bool MergeAny(const Corners& corners)
+  {
     for (const Id vertex : corners)
     {
       for (const Id other : corners)

@@ -151,12 +151,7 @@ const std::vector<Id>& BodyTets::StarOf(Id vertex)
     if (this->Stamps[At(cell)] != this->Stamp)
     {
       this->Stamps[At(cell)] = this->Stamp;
-      Id slot = 4 * cell;
-      while (this->VertexAt(slot) != vertex)
-      {
-        ++slot;
-      }
-      this->Star.push_back(slot);
+      this->Star.push_back(this->SlotOf(cell, vertex));
     }
   };
   if (this->Mesh.VertexCells[At(vertex)] != NoId)

@@ -54,6 +54,17 @@ public:
   Id VertexAt(Id slot) const { return this->Mesh.Corners[At(slot)]; }
   const Point3& PointOf(Id slot) const { return this->Mesh.PointAt(this->VertexAt(slot)); }
 
+  /// Precondition: the vertex is a corner of the cell.
+  Id SlotOf(Id cell, Id vertex) const
+  {
+    Id slot = 4 * cell;
+    while (this->VertexAt(slot) != vertex)
+    {
+      ++slot;
+    }
+    return slot;
+  }
+
   /// The slot of the same facet in the other cell, if there is one; else NoId.
   Id Across(Id slot) const;
 

@@ -40,16 +40,6 @@ bool EdgeRemoval::Improve(Id cell)
   return false;
 }
 
-Id EdgeRemoval::SlotOf(Id cell, Id vertex) const
-{
-  Id slot = 4 * cell;
-  while (this->Tets.VertexAt(slot) != vertex)
-  {
-    ++slot;
-  }
-  return slot;
-}
-
 bool EdgeRemoval::IsPositive(const BodyTets::Tetrahedron& t) const
 {
   const TetMesh& mesh = this->Tets.Mesh;
@@ -110,7 +100,7 @@ Id EdgeRemoval::Rewind(Id cell, Id& p, Id& q) const
   Id current = cell;
   for (std::size_t count = 0; count < MostOfLink; ++count)
   {
-    const Id slot = this->SlotOf(current, q);
+    const Id slot = this->Tets.SlotOf(current, q);
     if (this->Tets.RecordOf(slot) >= 0)
     {
       return current;
@@ -134,7 +124,7 @@ bool EdgeRemoval::Wind(Id first, Id p, Id q)
   this->NumberOfLinks = 0;
   this->NumberOfRecords = 0;
   this->Before = 0.0;
-  const Id begin = this->Tets.RecordOf(this->SlotOf(first, q));
+  const Id begin = this->Tets.RecordOf(this->Tets.SlotOf(first, q));
   if (begin >= 0)
   {
     this->Records[this->NumberOfRecords++] = begin;
@@ -161,7 +151,7 @@ bool EdgeRemoval::Wind(Id first, Id p, Id q)
       this->Change.Cells.push_back(current);
       this->Before = std::max(this->Before, this->Tets.Badness[At(current)]);
       link.Vertices[link.Size++] = q;
-      const Id slot = this->SlotOf(current, p);
+      const Id slot = this->Tets.SlotOf(current, p);
       record = this->Tets.RecordOf(slot);
       const Id across = this->Tets.Across(slot);
       current = across == NoId ? NoId : TetMesh::CellOf(across);
@@ -268,8 +258,7 @@ bool EdgeRemoval::FlipFacets()
   const bool isInCell =
     this->Links[0].Size == 2 || (this->NumberOfLinks == 2 && this->Links[1].Size == 2);
   if (this->Tets.IsKept(p, q) || !this->IsNewEdge(p, q, isInCell) ||
-    !this->Normals.AllowsFlip(
-      { { { a, b, p }, { b, a, q } } }, { { { p, b, q }, { q, a, p } } }))
+    !this->Normals.AllowsFlip({ { { a, b, p }, { b, a, q } } }, { { { p, b, q }, { q, a, p } } }))
   {
     return false;
   }
@@ -411,7 +400,8 @@ void EdgeRemoval::FillAround(const GroundPlace& place)
   {
     const Id p = this->Links[0].Vertices[k == 0 ? 0 : this->Links[0].Size - 1];
     this->Change.Facets.push_back({ this->Records[k], { this->A, vertex, p } });
-    this->Change.Facets.push_back({ this->Tets.AddRecord(this->Records[k]), { vertex, this->B, p } });
+    this->Change.Facets.push_back(
+      { this->Tets.AddRecord(this->Records[k]), { vertex, this->B, p } });
   }
 }
 

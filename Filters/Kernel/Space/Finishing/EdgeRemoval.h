@@ -75,7 +75,6 @@ private:
   void FillAround(const GroundPlace& place);
   double WorstAround(const Point3& place, double limit) const;
   bool IsNewEdge(Id p, Id q, bool isInCell);
-  Id SlotOf(Id cell, Id vertex) const;
   bool IsPositive(const BodyTets::Tetrahedron& t) const;
 
   BodyTets& Tets;

@@ -96,7 +96,8 @@ GroundPlace GroundNormals::Project(Id vertex, const Point3& place)
     double least = Infinity;
     for (Id k = this->Ground.Chains.Begin(chain); k + 1 < this->Ground.Chains.End(chain); ++k)
     {
-      const auto at = [this](Id i) { return this->Ground.Mesh.Points[At(this->Ground.Chains.At(i))]; };
+      const auto at = [this](Id i)
+      { return this->Ground.Mesh.Points[At(this->Ground.Chains.At(i))]; };
       const Point3& own = this->Tets.Mesh.PointAt(vertex);
       const double distance = Distance(NearestOnSide(at(k), at(k + 1), own), own);
       segment = distance < least ? k : segment;
@@ -108,8 +109,7 @@ GroundPlace GroundNormals::Project(Id vertex, const Point3& place)
 }
 
 /// The segment with the nearest place of the chain, by descent.
-Id GroundNormals::NearestOnChain(
-  Id chain, Id segment, const Point3& place, Point3& nearest) const
+Id GroundNormals::NearestOnChain(Id chain, Id segment, const Point3& place, Point3& nearest) const
 {
   const FeatureChains& chains = this->Ground.Chains;
   const auto nearestOn = [this, &chains, &place](Id k)

@@ -49,8 +49,7 @@ public:
 
   /// Whether the facets may be replaced by those with `to` in place of From: a vertex on no line,
   /// or NoId for one that is new, at the place.
-  bool AllowsChange(
-    const std::vector<FacetChange>& changes, Id to, const GroundPlace& place) const;
+  bool AllowsChange(const std::vector<FacetChange>& changes, Id to, const GroundPlace& place) const;
 
   /// Whether AllowsChange, and the ground stays near: facets of one vertex that goes to `to`.
   bool AllowsMerge(const std::vector<FacetChange>& changes, Id vertex, Id to) const;

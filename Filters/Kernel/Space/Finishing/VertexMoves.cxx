@@ -6,7 +6,7 @@
 #include "../../Base/Numbers.h"
 #include "TrialSteps.h"
 
-#include <algorithm> // for any_of, find, max, remove_if, replace, set_intersection, sort
+#include <algorithm> // for any_of, find, max, minmax, remove_if, set_intersection
 #include <iterator>  // for back_inserter
 
 namespace biting
@@ -315,83 +315,68 @@ bool VertexMoves::FindFacets(Id vertex, Id other)
   return gone > 1;
 }
 
-/// Whether the mesh stays one, with its boundary: all that is at both vertices is at the edge
-/// between them (link condition); and the ground allows it.
-bool VertexMoves::IsMergeable(Id vertex, Id other)
+/// What is at a vertex but not at the other one: edges opposite, as pairs of vertices, and their
+/// ends, as pairs of the same; those on facets with records once more, with a 1.
+void VertexMoves::FindLink(Id vertex, Id other, std::vector<LinkItem>& link)
 {
-  using Edge = std::array<Id, 3>; // two ends; 1: of a facet with a record
-  const auto linkOf = [this](Id at, std::vector<Edge>& link, Id across)
-  {
-    link.clear();
-    for (const Id own : this->Tets.StarOf(at))
-    {
-      const std::array<Id, 3> c = this->Tets.FacetCorners(own);
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        const Id a = c[k];
-        const Id b = c[(k + 1) % 3];
-        Id slot = own & ~3; // of the facet with both
-        const Id third = c[(k + 2) % 3];
-        while (this->Tets.VertexAt(slot) != third)
-        {
-          ++slot;
-        }
-        const Id isOnFacet = this->Tets.RecordOf(slot) >= 0 ? 1 : 0;
-        link.push_back({ std::min(a, b), std::max(a, b), 0 });
-        link.push_back({ a, a, 0 });
-        if (isOnFacet == 1)
-        {
-          link.push_back({ std::min(a, b), std::max(a, b), 1 });
-          link.push_back({ a, a, 1 });
-          link.push_back({ b, b, 1 });
-        }
-      }
-    }
-    const auto isOf = [across](const Edge& edge) { return edge[0] == across || edge[1] == across; };
-    link.erase(std::remove_if(link.begin(), link.end(), isOf), link.end());
-    std::sort(link.begin(), link.end());
-    link.erase(std::unique(link.begin(), link.end()), link.end());
-  };
-  std::vector<Edge>& first = this->Links[0];
-  std::vector<Edge>& second = this->Links[1];
-  std::vector<Edge>& both = this->Links[2];
-  std::vector<Edge>& between = this->Links[3];
-  linkOf(vertex, first, other);
-  linkOf(other, second, vertex);
-  both.clear();
-  std::set_intersection(
-    first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(both));
-  between.clear();
+  link.clear();
   for (const Id own : this->Tets.StarOf(vertex))
   {
     const std::array<Id, 3> c = this->Tets.FacetCorners(own);
-    const auto place = std::find(c.begin(), c.end(), other);
-    if (place == c.end())
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      continue;
-    }
-    const auto k = static_cast<std::size_t>(place - c.begin());
-    const Id a = c[(k + 1) % 3];
-    const Id b = c[(k + 2) % 3];
-    between.push_back({ std::min(a, b), std::max(a, b), 0 });
-    for (const Id end : { a, b })
-    {
-      const Id third = end == a ? b : a;
-      Id slot = own & ~3;
-      while (this->Tets.VertexAt(slot) != third)
+      const auto [a, b] = std::minmax(c[k], c[(k + 1) % 3]);
+      link.insert(link.end(), { { a, b, 0 }, { a, a, 0 }, { b, b, 0 } });
+      if (this->Tets.RecordOf(this->Tets.SlotOf(own >> 2, c[(k + 2) % 3])) >= 0)
       {
-        ++slot;
-      }
-      between.push_back({ end, end, 0 });
-      if (this->Tets.RecordOf(slot) >= 0)
-      {
-        between.push_back({ end, end, 1 });
+        link.insert(link.end(), { { a, b, 1 }, { a, a, 1 }, { b, b, 1 } });
       }
     }
   }
-  std::sort(between.begin(), between.end());
-  between.erase(std::unique(between.begin(), between.end()), between.end());
-  return both == between && this->Normals.AllowsMerge(this->Facets, vertex, other);
+  const auto isOther = [other](const LinkItem& i) { return i[0] == other || i[1] == other; };
+  link.erase(std::remove_if(link.begin(), link.end(), isOther), link.end());
+  std::sort(link.begin(), link.end());
+  link.erase(std::unique(link.begin(), link.end()), link.end());
+}
+
+/// What is at the edge between two vertices, as FindLink has it.
+void VertexMoves::FindEdgeLink(Id vertex, Id other, std::vector<LinkItem>& link)
+{
+  link.clear();
+  for (const Id own : this->Tets.StarOf(vertex))
+  {
+    const std::array<Id, 3> c = this->Tets.FacetCorners(own);
+    const auto k = static_cast<std::size_t>(std::find(c.begin(), c.end(), other) - c.begin());
+    if (k == 3)
+    {
+      continue;
+    }
+    const auto [a, b] = std::minmax(c[(k + 1) % 3], c[(k + 2) % 3]);
+    link.insert(link.end(), { { a, b, 0 }, { a, a, 0 }, { b, b, 0 } });
+    for (const Id end : { a, b })
+    {
+      if (this->Tets.RecordOf(this->Tets.SlotOf(own >> 2, end == a ? b : a)) >= 0)
+      {
+        link.push_back({ end, end, 1 });
+      }
+    }
+  }
+  std::sort(link.begin(), link.end());
+  link.erase(std::unique(link.begin(), link.end()), link.end());
+}
+
+/// Whether the mesh stays one, with its boundary: all that is at both vertices is at the edge
+/// between them (link condition, T. Dey et al., "Topology preserving edge contraction", 1999).
+bool VertexMoves::IsMergeable(Id vertex, Id other)
+{
+  this->FindLink(vertex, other, this->Links[0]);
+  this->FindLink(other, vertex, this->Links[1]);
+  this->FindEdgeLink(vertex, other, this->Links[2]);
+  std::vector<LinkItem>& both = this->Links[3];
+  both.clear();
+  std::set_intersection(this->Links[0].begin(), this->Links[0].end(), this->Links[1].begin(),
+    this->Links[1].end(), std::back_inserter(both));
+  return both == this->Links[2] && this->Normals.AllowsMerge(this->Facets, vertex, other);
 }
 
 /// The badness of the worst of the star with the vertex there; infinite where it is not below the

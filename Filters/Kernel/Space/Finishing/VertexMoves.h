@@ -9,6 +9,7 @@
 #include "CellChange.h"
 #include "GroundNormals.h"
 
+#include <array>      // for links
 #include <functional> // for f
 #include <vector>     // for scratch
 
@@ -61,6 +62,9 @@ private:
   double Load(double Cone::*badness) const;
   void Move(Id vertex, const Point3& place);
   bool FindFacets(Id vertex, Id other);
+  using LinkItem = std::array<Id, 3>;
+  void FindLink(Id vertex, Id other, std::vector<LinkItem>& link);
+  void FindEdgeLink(Id vertex, Id other, std::vector<LinkItem>& link);
   bool IsMergeable(Id vertex, Id other);
   bool Try(Id vertex, const Point3& place, double limit);
   Point3 WayInside(const Point3& place) const;
@@ -75,7 +79,7 @@ private:
   double MostLoad = Infinity;
   CellChange Change;
   std::vector<GroundNormals::FacetChange> Facets; ///< that change where a vertex goes
-  std::array<std::vector<std::array<Id, 3>>, 4> Links;
+  std::array<std::vector<LinkItem>, 4> Links;
 };
 
 } // namespace biting

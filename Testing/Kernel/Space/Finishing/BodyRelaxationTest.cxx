@@ -38,11 +38,12 @@ Facet Sorted(Id a, Id b, Id c)
 class Cube
 {
 public:
-  Cube(int n, int regions, double unevenness)
+  Cube(int n, int regions, double unevenness, double onLines = 0.0)
     : Random(5)
     , Step(1.0 / n)
     , IsHalved(regions == 2)
     , Unevenness(unevenness)
+    , OnLines(onLines)
   {
     this->MakeGround();
     for (int places = 3; places >= 0; --places)
@@ -53,6 +54,10 @@ public:
     this->AddCells();
     this->AddFacets();
     this->AddPieces();
+    if (onLines > 0.0)
+    {
+      this->AddChains();
+    }
   }
 
   void Relax(Monitor& monitor = NoMonitor())
@@ -114,7 +119,10 @@ private:
       {
         const bool isOnPlane =
           at[d] == 0 || at[d] == n || (d == 0 && this->IsHalved && 2 * at[d] == n);
-        const double most = isOnPlane || planes > 1 ? 0.0 : planes == 1 ? 0.2 : this->Unevenness;
+        const double most = isOnPlane || planes > 2 ? 0.0
+          : planes == 2                             ? this->OnLines
+          : planes == 1                             ? 0.2
+                                                    : this->Unevenness;
         point[d] = this->Step * (at[d] + most * this->Random.Between(-1.0, 1.0));
       }
       this->Body.Points.push_back(point);
@@ -233,10 +241,36 @@ private:
     }
   }
 
+  /// Lets vertices slide on the lines.
+  void AddChains()
+  {
+    FindChains(this->Ground);
+    this->Body.NumberOfCorners = 8;
+    const FeatureChains& chains = this->Ground.Chains;
+    for (std::size_t k = 0; k < this->Body.PieceEnds.size(); k += 2)
+    {
+      const Point3 middle = Midpoint(this->Body.Points[At(this->Body.PieceEnds[k])],
+        this->Body.Points[At(this->Body.PieceEnds[k + 1])]);
+      Id chain = 0;
+      const auto isOff = [this, &chains, &middle](Id c)
+      {
+        const Point3& a = this->Ground.Mesh.Points[At(chains.At(chains.Begin(c)))];
+        const Point3& b = this->Ground.Mesh.Points[At(chains.At(chains.End(c) - 1))];
+        return Distance(a, middle) + Distance(middle, b) > 1.0 + 1e-9;
+      };
+      while (isOff(chain))
+      {
+        ++chain;
+      }
+      this->Body.PieceChains.push_back(chain);
+    }
+  }
+
   Dice Random;
   double Step;
   bool IsHalved;
   double Unevenness;
+  double OnLines; ///< how far vertices are off their places along lines, in steps
 };
 
 double SmallestAngle(const RelaxedBody& body)
@@ -337,6 +371,26 @@ TEST(BodyRelaxation, KeepsRegionsAndTheirInterface)
   EXPECT_NEAR(VolumeOf(cube.Body, 0), 0.5, 1e-12);
   EXPECT_NEAR(VolumeOf(cube.Body, 1), 0.5, 1e-12);
   EXPECT_TRUE(std::equal(before.begin(), before.end(), cube.Body.Points.begin()));
+}
+
+TEST(BodyRelaxation, SlidesAndMergesVerticesOfLinesWhichStayCovered)
+{
+  Cube cube(8, 1, 0.3, 0.45);
+  const Id onLines = cube.Body.NumberOnLines;
+  cube.Relax();
+  EXPECT_GE(SmallestAngle(cube.Body), 30.0);
+  ExpectBody(cube.Body);
+  ExpectPatches(cube);
+  EXPECT_NEAR(VolumeOf(cube.Body, 0), 1.0, 1e-12);
+  EXPECT_LE(cube.Body.NumberOnLines, onLines);
+  EXPECT_EQ(cube.Body.PieceChains.size(), cube.Body.PieceEnds.size() / 2);
+  double length = 0.0;
+  for (std::size_t k = 0; k < cube.Body.PieceEnds.size(); k += 2)
+  {
+    length += Distance(cube.Body.Points[At(cube.Body.PieceEnds[k])],
+      cube.Body.Points[At(cube.Body.PieceEnds[k + 1])]);
+  }
+  EXPECT_NEAR(length, 12.0, 1e-12);
 }
 
 TEST(BodyRelaxation, NeverMakesTheWorstAngleWorseAndGivesTheSameAgain)
