@@ -410,6 +410,20 @@ TEST(BitingTetrahedralizer, RefusesWithAPlaceWhatItCannotFill)
   EXPECT_TRUE(Has(ReasonOf(filter), "Maximum Number Of Vertices"));
 }
 
+TEST(BitingTetrahedralizer, SaysHowManyVerticesCapsMakeAndRefusesTooManyBeforeItBites)
+{
+  vtkNew<vtkBitingTetrahedralizer> filter;
+  filter->SetInputData(Sphere());
+  filter->SetUniformSpacing(0.4);
+  filter->SetBoundaryTolerance(0.001); // caps f at its floor, a quarter
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 300);
+  EXPECT_TRUE(Has(filter->GetSummary(), "times the vertices that the spacing asks for"));
+  filter->SetMaximumNumberOfVertices(100);
+  const std::string reason = ReasonOf(filter);
+  EXPECT_TRUE(Has(reason, "vertices on the surface") && Has(reason, "at most 100")) << reason;
+}
+
 TEST(BitingTetrahedralizer, HasNothingToSayOfNothing)
 {
   vtkNew<vtkBitingTetrahedralizer> filter;

@@ -334,8 +334,8 @@ private:
     this->IsFixed[part] = isEmpty || hasOwn ? 1 : 0;
   }
 
-  /// Whether a body on one of the sides of the triangle has the value. Where it has not, and one side
-  /// has another value, or is no body, it is the other.
+  /// Whether a body on one of the sides of the triangle has the value. Where none has, and one side
+  /// has another value, or is no body, it is the other side.
   bool FindOwner(std::size_t t, Id value, bool& isChanged)
   {
     const std::array<std::size_t, 2> parts{ this->PartAt(t, 0), this->PartAt(t, 1) };
@@ -440,8 +440,8 @@ private:
   DisjointSets Parts;  ///< of sides of triangles, and of what is outside: parts of space
   DisjointSets Shells; ///< of triangles that hang together by edges
   std::vector<std::uint8_t> IsOdd; ///< of shells: they have edges of an odd number of triangles
-  std::vector<std::uint8_t>
-    HasWalls;                        ///< of shells: edges of more than two, triangles of two values
+  /// Of shells: they have edges of more than two triangles, or triangles of two values.
+  std::vector<std::uint8_t> HasWalls;
   std::vector<std::uint8_t> IsMixed; ///< of shells: they have several values
   std::vector<std::size_t> CrowdedSlots;
   std::vector<std::uint8_t> IsOddSlot; ///< of these

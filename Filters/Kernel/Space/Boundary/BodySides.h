@@ -25,8 +25,8 @@ struct BodySides
 /// A part is a connected component of space without the triangles: sides of triangles are joined
 /// around edges (exact order), shells along rays. The outermost part is no body.
 ///
-/// Values are Regions of the mesh. Where all triangles at the outside have two, the common one is no
-/// region (of two the second).
+/// Values are Regions of the mesh. Where all triangles at the outside have two, the common one (of
+/// two common ones the second) is no region.
 /// A part inside a shell, without values: a body if the part around the shell is none (even-odd);
 /// always a body if an edge of the shell has an odd number of triangles, as at walls of bodies.
 /// With values: in a shell of one value a body of this region, or a cavity if the part around is a

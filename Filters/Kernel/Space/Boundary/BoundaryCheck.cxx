@@ -100,8 +100,8 @@ private:
   Id Previous(Id slot) const { return this->Boundary.Corners[PreviousSlotOf(At(slot))]; }
 
   /// Follows the fan from each facet at the bite; all of them must come in one turn, but at corners
-  /// without pieces, which are pinches of the surface. At a vertex of features that is asked of solids only in all, and for other edges than pieces; pieces that
-  /// turn have two facets.
+  /// without pieces, which are pinches of the surface. At a vertex of features that is asked of
+  /// solids only in all, and for other edges than pieces; pieces that turn have two facets.
   void CheckFan(Id bite)
   {
     const Id* begin = this->FacetsAt.Begin(bite);

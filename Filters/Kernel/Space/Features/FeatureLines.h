@@ -9,8 +9,8 @@
 namespace biting
 {
 
-/// Sets Pinches, and Flags by the edges of the surface that are open, of more than two triangles, between two
-/// regions, or where it turns by more than `angle` degrees.
+/// Sets Pinches, and Flags by the edges of the surface that are open, of more than two triangles,
+/// between two regions, or where it turns by more than `angle` degrees.
 void FlagFeatures(
   SurfaceGround& ground, const std::vector<Id>& regions, double angle, Pulse& pulse);
 

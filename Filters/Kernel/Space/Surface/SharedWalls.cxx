@@ -34,6 +34,10 @@ public:
     for (int round = 0; isChanged && round < MostRounds && this->Beats.Ask(); ++round)
     {
       this->SetApart();
+      if (this->Links.NumberOfOpen > 0)
+      {
+        return;
+      }
       isChanged = false;
       for (std::size_t slot = 0; slot < this->Mesh.Corners.size() && this->Beats.Beat(); ++slot)
       {

@@ -23,7 +23,8 @@ namespace biting
 /// twentieth of their sides: the sides that cross get a common vertex, so that the triangle below
 /// it is of both. No vertex moves, and each surface stays as closed as it is; its volume changes by
 /// the space between old and new triangles. Each change is told as DuplicateTriangles.
-/// Nothing changes where triangles of two regions are given. Cost O(n log n) a round.
+/// Nothing changes where a region's surface is open, as that of a tag of a part of a surface is, or
+/// where triangles of two regions are given. Cost O(n log n) a round.
 void JoinSharedWalls(SurfaceMesh& mesh, ProblemList& problems, Pulse& pulse);
 
 } // namespace biting
