@@ -370,8 +370,8 @@ void EndJoiner::Renumber()
     { return std::tie(a.Place, a.Along) < std::tie(b.Place, b.Along); });
 }
 
-/// Whether the segments with open ends alone cross too often, at most one crossing going for an end
-/// that is joined: the drawing is refused then, and what each end nearly touches would be all of it.
+/// Whether the segments with open ends alone cross more often than `most`, also where each joined
+/// end removes a crossing. The drawing is refused then, and each end may have all segments near it.
 bool CrossTooOften(const std::vector<ChainSegment>& segments, const std::vector<Id>& ends,
   std::size_t most, const WeldedPoints& points, Pulse& pulse)
 {

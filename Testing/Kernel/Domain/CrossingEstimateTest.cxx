@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Domain/Arrangement.h"
 #include "Domain/CrossingEstimate.h"
+#include "Domain/Arrangement.h"
 #include "Domain/Domain.h"
 #include "Support/PolylineShapes.h"
 
