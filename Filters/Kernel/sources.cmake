@@ -28,7 +28,6 @@ set(biting_kernel_sources
   Domain/ChainKinds.cxx
   Domain/CrossingEstimate.cxx
   Domain/Domain.cxx
-  Domain/DomainCheck.cxx
   Domain/EndSurroundings.cxx
   Domain/Meetings.cxx
   Domain/Nesting.cxx

@@ -7,7 +7,6 @@
 
 #include <algorithm> // for max, min
 #include <cmath>     // for sqrt
-#include <limits>    // for any length
 #include <numeric>   // for gcd
 
 namespace biting
@@ -50,8 +49,10 @@ struct Sample
 class CrossingSampler
 {
 public:
-  CrossingSampler(const Arrangement& arrangement, const SegmentTree& tree, Pulse& pulse)
-    : Input(arrangement)
+  CrossingSampler(const std::vector<Point2>& vertices, const std::vector<SegmentEnds>& edges,
+    const SegmentTree& tree, Pulse& pulse)
+    : Vertices(vertices)
+    , Edges(edges)
     , Tree(tree)
     , Beats(pulse)
   {
@@ -63,7 +64,10 @@ private:
   std::size_t CountCrossings(Id edge, std::size_t most);
   bool DoCross(const SegmentEnds& a, const SegmentEnds& b) const;
 
-  const Arrangement& Input;
+  const Point2& At(Id vertex) const { return this->Vertices[vertex]; }
+
+  const std::vector<Point2>& Vertices;
+  const std::vector<SegmentEnds>& Edges;
   const SegmentTree& Tree;
   Pulse& Beats;
   std::size_t Tests = 0;
@@ -83,7 +87,7 @@ std::size_t StepThrough(std::size_t count)
 
 CrossingEstimate CrossingSampler::EstimateAbove(double most)
 {
-  const std::size_t count = this->Input.Edges.size();
+  const std::size_t count = this->Edges.size();
   const double edges = static_cast<double>(count);
   const double askedMean = 2.0 * most / edges;
   const auto mostOfOne = static_cast<std::size_t>(MostInMeans * (1.0 + askedMean));
@@ -111,41 +115,40 @@ CrossingEstimate CrossingSampler::EstimateAbove(double most)
 
 std::size_t CrossingSampler::CountCrossings(Id edge, std::size_t most)
 {
-  const SegmentEnds& ends = this->Input.Edge(edge).Ends;
+  const SegmentEnds& ends = this->Edges[edge];
   std::size_t count = 0;
   const auto test = [this, edge, &ends, &count, most](Id other)
   {
     ++this->Tests;
     const bool isOpen = count < most && this->Beats.Beat();
-    if (isOpen && this->DoCross(ends, this->Input.Edge(other).Ends))
+    if (isOpen && this->DoCross(ends, this->Edges[other]))
     {
       ++count;
       this->Result.First = std::min(edge, other);
       this->Result.Second = std::max(edge, other);
     }
   };
-  this->Tree.VisitAlong(this->Input.At(ends.Start), this->Input.At(ends.End),
-    std::numeric_limits<double>::infinity(), ends, test);
+  this->Tree.Visit(SlantedBox(this->At(ends.Start), this->At(ends.End)), ends, test);
   return count;
 }
 
 bool CrossingSampler::DoCross(const SegmentEnds& a, const SegmentEnds& b) const
 {
-  return Meet(this->Input.At(a.Start), this->Input.At(a.End), this->Input.At(b.Start),
-           this->Input.At(b.End)) == Meeting::Crossing;
+  return Meet(this->At(a.Start), this->At(a.End), this->At(b.Start), this->At(b.End)) ==
+    Meeting::Crossing;
 }
 
 } // namespace
 
-CrossingEstimate EstimateCrossingsAbove(
-  std::size_t most, const Arrangement& arrangement, const SegmentTree& tree, Pulse& pulse)
+CrossingEstimate EstimateCrossingsAbove(std::size_t most, const std::vector<Point2>& vertices,
+  const std::vector<SegmentEnds>& edges, const SegmentTree& tree, Pulse& pulse)
 {
-  const double edges = static_cast<double>(arrangement.Edges.size());
-  if (0.5 * edges * (edges - 1.0) <= static_cast<double>(most))
+  const double count = static_cast<double>(edges.size());
+  if (0.5 * count * (count - 1.0) <= static_cast<double>(most))
   {
     return {};
   }
-  return CrossingSampler(arrangement, tree, pulse).EstimateAbove(static_cast<double>(most));
+  return CrossingSampler(vertices, edges, tree, pulse).EstimateAbove(static_cast<double>(most));
 }
 
 } // namespace biting

@@ -119,11 +119,6 @@ struct DomainOptions
 Domain MakeDomain(
   const Polylines& input, const DomainOptions& options, ProblemList& problems, Monitor& monitor);
 
-/// Checks the invariant of `domain`, exactly: finite distinct vertices; segments with distinct ends
-/// that meet at common vertices only; inside flags consistent with parity around each vertex.
-/// Returns the first violation as text, empty where there is none. For tests and debug builds.
-std::string CheckDomain(const Domain& domain);
-
 } // namespace biting
 
 #endif

@@ -4,7 +4,6 @@
 #include "EndSurroundings.h"
 
 #include <algorithm> // for max, min
-#include <limits>    // for no limit
 #include <utility>   // for move
 
 namespace biting
@@ -93,8 +92,7 @@ std::vector<Foot> EndSurroundings::VerticesOnSegmentAt(Id vertex) const
   const Id segment = *this->Stars.Begin(vertex);
   const SegmentEnds& own = this->Segment(segment).Ends;
   std::vector<Foot> feet;
-  this->Tree.VisitAlong(this->At(own.Start), this->At(own.End),
-    std::numeric_limits<double>::infinity(), SegmentEnds(),
+  this->Tree.Visit(SlantedBox(this->At(own.Start), this->At(own.End)), SegmentEnds(),
     [this, segment, &own, &feet](Id other)
     {
       const SegmentEnds& ends = this->Segment(other).Ends;

@@ -197,8 +197,8 @@ private:
 /// Looks at some edges first, so that a drawing of far too many crossings is refused soon.
 bool MeetingFinder::HasRoomForCrossings()
 {
-  const CrossingEstimate estimate =
-    EstimateCrossingsAbove(this->Most, this->Input, this->Edges.Tree, this->Beats);
+  const CrossingEstimate estimate = EstimateCrossingsAbove(
+    this->Most, this->Input.Vertices, this->Edges.Ends, this->Edges.Tree, this->Beats);
   if (estimate.Count == 0.0)
   {
     return true;

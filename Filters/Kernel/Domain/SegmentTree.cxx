@@ -79,10 +79,9 @@ SegmentTree::SegmentTree(const std::vector<Point2>& points,
   }
 }
 
-/// With u the unit roundoff and M the largest coordinate, the centre of a box and half its sides
-/// are off by at most 2 u M, so their products with a direction by 8 u M times its 1-norm. A
-/// direction of length one is off by 2 u, a slanted box in units of M by some 10 u for each level
-/// of the tree, of which there are less than 100.
+/// With u the unit roundoff and M the largest coordinate, the center of a box and half its sides
+/// are off by at most 2 u M, a direction of length one by 2 u, a slanted box in units of M by some
+/// 10 u for each level of the tree, of which there are less than 100.
 void SegmentTree::Builder::FileItems(
   const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments)
 {
@@ -104,7 +103,6 @@ void SegmentTree::Builder::FileItems(
     largest = std::max({ largest, std::abs(item.Bounds.Low.X), std::abs(item.Bounds.Low.Y),
       std::abs(item.Bounds.High.X), std::abs(item.Bounds.High.Y) });
   }
-  this->Tree.Rounding = 8.0 * std::numeric_limits<double>::epsilon() * largest;
   this->Tree.Slack = 1024.0 * std::numeric_limits<double>::epsilon() * largest;
 }
 

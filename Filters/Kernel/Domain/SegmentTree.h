@@ -72,29 +72,27 @@ public:
   SegmentTree(
     const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, double margin);
 
-  /// Calls visit(segment) for each segment whose grown box meets `box` and that has no end in
-  /// `skipped`. The order is that of the tree.
+  /// Calls visit(segment) for each segment without an end in `skipped` that may come within its
+  /// margin of `extent`, at least all that do. The order is that of the tree.
   template <typename Visitor>
-  void Visit(const Box2& box, const SegmentEnds& skipped, Visitor&& visit) const
+  void Visit(const SlantedBox& extent, const SegmentEnds& skipped, Visitor&& visit) const
   {
-    const auto meets = [&box](const auto& part) { return part.Bounds.Meets(box); };
-    this->VisitWhere(meets, skipped, visit);
-  }
-
-  /// Calls visit(segment) for each segment without an end in `skipped` whose grown box the segment
-  /// from `start` to `end` meets; and for some whose box it passes within a few roundings. Segments
-  /// longer than `longest` may be left out.
-  ///
-  /// A box says much about where a short segment is and little about a long one. Where each pair is
-  /// asked for by the longer of the two, a crowd of long segments costs the short ones nothing.
-  template <typename Visitor>
-  void VisitAlong(const Point2& start, const Point2& end, double longest,
-    const SegmentEnds& skipped, Visitor&& visit) const
-  {
-    const Probe probe(start, end, this->Rounding);
-    const auto meets = [&probe, longest](const auto& part)
-    { return part.Shortest <= longest && probe.Meets(part.Bounds); };
-    this->VisitWhere(meets, skipped, visit);
+    if (this->Nodes.empty())
+    {
+      return;
+    }
+    this->WalkBelow(
+      0,
+      [this, &extent, &skipped](const Node& node)
+      { return !IsFanOf(node.Common, skipped) && this->MayMeet(extent, node); },
+      [this, &extent, &skipped, &visit](const Item& item)
+      {
+        if (!item.Ends.Has(skipped.Start) && !item.Ends.Has(skipped.End) &&
+          this->MayMeet(extent, item.Bounds))
+        {
+          visit(item.Segment);
+        }
+      });
   }
 
   /// Calls visitor(first, second) once for each pair of segments without a common end whose grown
@@ -243,55 +241,6 @@ private:
     Visitor& Visit;
   };
 
-  /// A segment that asks which boxes it meets.
-  class Probe
-  {
-  public:
-    Probe(const Point2& start, const Point2& end, double rounding)
-      : Start(start)
-      , Direction(end - start)
-      , Slack(rounding * (std::abs(this->Direction.X) + std::abs(this->Direction.Y)))
-    {
-      this->Bounds.Add(start);
-      this->Bounds.Add(end);
-    }
-
-    /// Whether the line through the segment separates the corners of a box that meets its own.
-    bool Meets(const Box2& box) const
-    {
-      const double reach = 0.5 *
-        (std::abs(this->Direction.X) * box.Height() + std::abs(this->Direction.Y) * box.Width());
-      return this->Bounds.Meets(box) &&
-        std::abs(Cross(this->Direction, box.Center() - this->Start)) <= reach + this->Slack;
-    }
-
-  private:
-    Point2 Start;
-    Point2 Direction;
-    double Slack;
-    Box2 Bounds;
-  };
-
-  template <typename Condition, typename Visitor>
-  void VisitWhere(const Condition& meets, const SegmentEnds& skipped, Visitor& visit) const
-  {
-    if (this->Nodes.empty())
-    {
-      return;
-    }
-    this->WalkBelow(
-      0,
-      [&meets, &skipped](const Node& node)
-      { return !IsFanOf(node.Common, skipped) && meets(node); },
-      [&meets, &skipped, &visit](const Item& item)
-      {
-        if (!item.Ends.Has(skipped.Start) && !item.Ends.Has(skipped.End) && meets(item))
-        {
-          visit(item.Segment);
-        }
-      });
-  }
-
   /// Calls visit(item) for the items of all leaves, from node `top` down, that the condition leads
   /// to.
   template <typename Condition, typename Visitor>
@@ -363,8 +312,7 @@ private:
   std::vector<Item> Items;
   std::vector<Node> Nodes;
   Margins Grown;
-  double Rounding = 0.0; ///< of a cross product with a direction, over the latter's 1-norm
-  double Slack = 0.0;    ///< rounding of the sides of slanted boxes
+  double Slack = 0.0; ///< rounding of the sides of slanted boxes
 };
 
 } // namespace biting

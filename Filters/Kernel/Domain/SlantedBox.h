@@ -21,6 +21,27 @@ struct SlantedBox
   double Along = 0.0;      ///< half of the extent along the axis
   double Across = 0.0;     ///< half of the extent across it
 
+  SlantedBox() = default;
+
+  /// As the box; a conversion.
+  SlantedBox(const Box2& bounds)
+    : Bounds(bounds)
+    , Center(bounds.Center())
+    , Along(0.5 * bounds.Width())
+    , Across(0.5 * bounds.Height())
+  {
+  }
+
+  /// Around a segment.
+  SlantedBox(const Point2& start, const Point2& end)
+    : Center(Midpoint(start, end))
+    , Along(0.5 * Distance(start, end))
+  {
+    this->Bounds.Add(start);
+    this->Bounds.Add(end);
+    this->Axis = this->Along > 0.0 ? (0.5 / this->Along) * (end - start) : this->Axis;
+  }
+
   double Size() const { return this->Bounds.Width() + this->Bounds.Height(); }
 
   /// Half of the extent of the slanted box in a direction of length one.

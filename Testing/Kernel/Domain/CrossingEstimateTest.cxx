@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Domain/CrossingEstimate.h"
+#include "Domain/Arrangement.h"
 #include "Domain/Domain.h"
 #include "Support/PolylineShapes.h"
 
@@ -58,8 +59,9 @@ CrossingEstimate Estimate(const Arrangement& arrangement, std::size_t most)
 {
   SilentMonitor monitor;
   Pulse pulse(monitor);
-  const SegmentTree tree(arrangement.Vertices, arrangement.EdgeEnds(), 0.0);
-  return EstimateCrossingsAbove(most, arrangement, tree, pulse);
+  const std::vector<SegmentEnds> edges = arrangement.EdgeEnds();
+  const SegmentTree tree(arrangement.Vertices, edges, 0.0);
+  return EstimateCrossingsAbove(most, arrangement.Vertices, edges, tree, pulse);
 }
 
 TEST(CrossingEstimate, IsNearWhereTheLimitIsFarExceeded)
@@ -82,6 +84,7 @@ TEST(CrossingEstimate, IsNotLedAstrayByOneEdgeThatCrossesAll)
   EXPECT_EQ(Estimate(Comb(3000), 5000).Count, 0.0);
 }
 
+/// Nor are ends joined, each of which may have thousands of lines near it.
 TEST(CrossingEstimate, RefusesADrawingBeforeItsCrossingsAreMade)
 {
   PolylineBuilder drawing = PolylineBuilder().Box(-2, -2, 402, 402);
@@ -92,6 +95,7 @@ TEST(CrossingEstimate, RefusesADrawingBeforeItsCrossingsAreMade)
   }
   DomainOptions options;
   options.MaximumNumberOfCrossings = 20000;
+  options.GivenSpacing = [](const Point2&) { return 200.0; };
   ProblemList problems;
   SilentMonitor monitor;
   EXPECT_EQ(MakeDomain(drawing.Lines(), options, problems, monitor).NumberOfSegments(), 0);
@@ -99,6 +103,7 @@ TEST(CrossingEstimate, RefusesADrawingBeforeItsCrossingsAreMade)
   const Problem& refusal = problems.Groups().back().First.front();
   EXPECT_EQ(refusal.Ids.size(), 2u);
   EXPECT_NE(refusal.Detail, "");
+  EXPECT_FALSE(problems.Has(ProblemCode::JoinedEnds));
 }
 
 } // namespace

@@ -5,8 +5,8 @@
 #define BitingPolylineShapes_h
 
 #include "Base/Problem.h"
-#include "Domain/Domain.h"
 #include "Domain/Polylines.h"
+#include "DomainCheck.h"
 
 #include <algorithm> // for reverse
 #include <cstdint>   // for the generator

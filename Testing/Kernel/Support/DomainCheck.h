@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Domain.h"
+#ifndef BitingDomainCheck_h
+#define BitingDomainCheck_h
 
-#include "../Predicates/Predicates.h"
-#include "SegmentTree.h"
-#include "VertexStars.h"
+#include "Domain/Domain.h"
+#include "Domain/SegmentTree.h"
+#include "Domain/VertexStars.h"
+#include "Predicates/Predicates.h"
 
 #include <algorithm> // for sort
 #include <cmath>     // for isfinite
@@ -15,14 +17,11 @@
 namespace biting
 {
 
-namespace
-{
-
 /// Checks one domain; each question returns the first violation as text, or nothing.
-class Checker
+class DomainChecker
 {
 public:
-  explicit Checker(const Domain& domain);
+  explicit DomainChecker(const Domain& domain);
 
   std::string Sizes() const;
   std::string Vertices() const;
@@ -33,6 +32,10 @@ public:
   std::string Sides() const;
 
 private:
+  static std::string Violation(const char* text, Id id)
+  {
+    return text + (" " + std::to_string(id));
+  }
   std::string Turn(Id vertex, Id here, Id next) const;
   bool MeetsAnother(Id segment, const SegmentTree& tree) const;
   const Point2& At(Id vertex) const { return this->Input.Vertices[vertex]; }
@@ -42,12 +45,7 @@ private:
   std::vector<SegmentEnds> Ends;
 };
 
-std::string Violation(const char* text, Id id)
-{
-  return text + (" " + std::to_string(id));
-}
-
-Checker::Checker(const Domain& domain)
+inline DomainChecker::DomainChecker(const Domain& domain)
   : Input(domain)
 {
   for (std::size_t s = 0; s < domain.Starts.size() && s < domain.Ends.size(); ++s)
@@ -56,7 +54,7 @@ Checker::Checker(const Domain& domain)
   }
 }
 
-std::string Checker::Sizes() const
+inline std::string DomainChecker::Sizes() const
 {
   const std::size_t vertices = this->Input.Vertices.size();
   const std::size_t segments = this->Input.Starts.size();
@@ -68,7 +66,7 @@ std::string Checker::Sizes() const
   return isEqual ? "" : "arrays differ in size";
 }
 
-std::string Checker::Vertices() const
+inline std::string DomainChecker::Vertices() const
 {
   std::vector<Point2> places = this->Input.Vertices;
   for (const Point2& p : places)
@@ -87,7 +85,7 @@ std::string Checker::Vertices() const
   return isDistinct ? "" : "two vertices coincide";
 }
 
-std::string Checker::Segments() const
+inline std::string DomainChecker::Segments() const
 {
   const Id vertices = this->Input.NumberOfVertices();
   for (std::size_t s = 0; s < this->Ends.size(); ++s)
@@ -104,7 +102,7 @@ std::string Checker::Segments() const
 }
 
 /// Segments without a common end; the others are seen in the fans.
-std::string Checker::Meetings() const
+inline std::string DomainChecker::Meetings() const
 {
   const SegmentTree tree(this->Input.Vertices, this->Ends, 0.0);
   for (Id segment = 0; segment < this->Input.NumberOfSegments(); ++segment)
@@ -117,7 +115,7 @@ std::string Checker::Meetings() const
   return "";
 }
 
-bool Checker::MeetsAnother(Id segment, const SegmentTree& tree) const
+inline bool DomainChecker::MeetsAnother(Id segment, const SegmentTree& tree) const
 {
   const SegmentEnds& a = this->Ends[segment];
   Box2 box;
@@ -134,7 +132,7 @@ bool Checker::MeetsAnother(Id segment, const SegmentTree& tree) const
   return isMet;
 }
 
-std::string Checker::LoneVertices() const
+inline std::string DomainChecker::LoneVertices() const
 {
   const SegmentTree tree(this->Input.Vertices, this->Ends, 0.0);
   const VertexStars stars(this->Input.Vertices, this->Ends);
@@ -162,7 +160,7 @@ std::string Checker::LoneVertices() const
   return "";
 }
 
-std::string Checker::Fans() const
+inline std::string DomainChecker::Fans() const
 {
   const VertexStars stars(this->Input.Vertices, this->Ends);
   std::string violation;
@@ -178,7 +176,7 @@ std::string Checker::Fans() const
 }
 
 /// Two neighbours around a vertex: different directions, and one face between them.
-std::string Checker::Turn(Id vertex, Id here, Id next) const
+inline std::string DomainChecker::Turn(Id vertex, Id here, Id next) const
 {
   const Point2& apex = this->At(vertex);
   const Point2& a = this->At(OtherEnd(this->Ends[here], vertex));
@@ -193,13 +191,13 @@ std::string Checker::Turn(Id vertex, Id here, Id next) const
 }
 
 /// The flag of the side that is left (or right) when looking from `vertex` along `segment`.
-bool Checker::IsLeftSeenFrom(Id vertex, Id segment, bool isLeft) const
+inline bool DomainChecker::IsLeftSeenFrom(Id vertex, Id segment, bool isLeft) const
 {
   const bool isForward = this->Ends[segment].Start == vertex;
   return (isForward == isLeft ? this->Input.LeftInside : this->Input.RightInside)[segment] != 0;
 }
 
-std::string Checker::Sides() const
+inline std::string DomainChecker::Sides() const
 {
   for (std::size_t s = 0; s < this->Ends.size(); ++s)
   {
@@ -217,15 +215,17 @@ std::string Checker::Sides() const
   return "";
 }
 
-} // namespace
-
-std::string CheckDomain(const Domain& domain)
+/// Checks the invariant of `domain`, exactly: finite distinct vertices; segments with distinct ends
+/// that meet at common vertices only; inside flags consistent with parity around each vertex.
+/// Returns the first violation as text, empty where there is none.
+inline std::string CheckDomain(const Domain& domain)
 {
-  const Checker checker(domain);
+  const DomainChecker checker(domain);
   std::string violation = checker.Sizes();
-  using Question = std::string (Checker::*)() const;
-  for (const Question question : { &Checker::Vertices, &Checker::Segments, &Checker::Meetings,
-         &Checker::LoneVertices, &Checker::Fans, &Checker::Sides })
+  using Question = std::string (DomainChecker::*)() const;
+  for (const Question question :
+    { &DomainChecker::Vertices, &DomainChecker::Segments, &DomainChecker::Meetings,
+      &DomainChecker::LoneVertices, &DomainChecker::Fans, &DomainChecker::Sides })
   {
     violation = violation.empty() ? (checker.*question)() : violation;
   }
@@ -233,3 +233,5 @@ std::string CheckDomain(const Domain& domain)
 }
 
 } // namespace biting
+
+#endif
