@@ -505,6 +505,12 @@ private:
         far.push_back(t);
       }
     }
+    // Where more are far the input's facets are coarse for f: steps help little, and cost most.
+    constexpr std::size_t MostShare = 8;
+    if (far.size() > this->Mesh.Corners.size() / 3 / MostShare)
+    {
+      return;
+    }
     for (const std::size_t t : far)
     {
       for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
