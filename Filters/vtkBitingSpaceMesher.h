@@ -56,7 +56,8 @@ public:
   ///@{
   /**
    * How far the mesh may be from the surface where that curves, in f: f is lowered there, down to a
-   * quarter, and to a sixteenth where triangles are twice as far. 0: any distance. Default 0.1.
+   * quarter; by the surface mesher to a sixteenth where triangles are twice as far. 0: any
+   * distance. Default 0.1.
    */
   vtkSetMacro(BoundaryTolerance, double);
   vtkGetMacro(BoundaryTolerance, double);

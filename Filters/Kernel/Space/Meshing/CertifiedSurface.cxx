@@ -93,7 +93,8 @@ public:
       }
       before = isDropped ? std::numeric_limits<std::size_t>::max() : faults;
     }
-    for (int round = 0; round < RoundsForFar && isDone && this->MayGoOn() && this->BiteWhereFar();
+    for (int round = 0;
+         round < this->Whole.RoundsForFar && isDone && this->MayGoOn() && this->BiteWhereFar();
          ++round)
     {
     }
@@ -102,8 +103,7 @@ public:
 
 private:
   static constexpr int MostRounds = 8;
-  static constexpr int RoundsForSoft = 2; ///< in which f was lowered or lines were given up
-  static constexpr int RoundsForFar = 2;
+  static constexpr int RoundsForSoft = 2;        ///< in which f was lowered or lines were given up
   static constexpr double LeastFarShare = 0.125; ///< of the given f: no smaller one is halved
 
   void Bite()

@@ -25,12 +25,15 @@ struct CertifiedSurface
   BoxTree<SurfaceItem, 3> Tree; ///< of the surface
   SurfaceBoundary Boundary;     ///< without offences
   double AskedVertices = 0.0;   ///< about how many f as given asks for
+
+  /// At most so many rounds halve f where facets are far from the surface. As given.
+  int RoundsForFar = 0;
 };
 
 /// Fills `result`, in rounds: where certificates fail, f is lowered or turning lines are given up.
 /// Where edges stay too sharp for f, facets may be turned and points of the surface be up to f / 2
 /// from the mesh: the problem LostFeatures. Where facets are then farther from the surface than
-/// twice the tolerance, f is halved, in at most two rounds; a round that fails is taken back.
+/// twice the tolerance, f is halved, in RoundsForFar rounds; a round that fails is taken back.
 /// `sides`: of each triangle of the surface, the labels of space behind and in front; empty where
 /// it bounds nothing. False, with problems, where this fails or the monitor asks to stop.
 bool CertifySurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,

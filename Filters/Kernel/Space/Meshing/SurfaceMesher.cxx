@@ -60,6 +60,7 @@ BitingSurface MeshSurface(const CheckedSurface& surface, const SurfaceMesherOpti
 {
   Pulse pulse(monitor);
   CertifiedSurface certified;
+  certified.RoundsForFar = 2;
   BitingSurface mesh;
   if (CertifySurface(surface, options, SidesOf(surface), certified, problems, monitor))
   {

@@ -35,8 +35,8 @@ struct SurfaceMesherOptions
   double FeatureAngle = 40.0;
 
   /// How far the mesh may be from the surface where it curves, in f: caps f, at least to a quarter
-  /// of what is given. Where facets are still twice as far f is halved, at most twice, if the
-  /// certificates hold then, too.
+  /// of what is given. Of surfaces, not of bodies: where facets are still twice as far f is halved,
+  /// at most twice, if the certificates hold then, too.
   double BoundaryTolerance = 0.1;
 
   /// Of each triangle of CheckedSurface::Mesh: edges between different ones are kept as lines.

@@ -16,6 +16,7 @@ ChainPlaces::ChainPlaces(
 {
   constexpr double Rounding = 1e-9;
   std::vector<Id> next;
+  next.reserve(At(ground.Chains.Size()));
   for (Id chain = 0; chain < ground.Chains.Size(); ++chain)
   {
     next.push_back(ground.Chains.Begin(chain) + 1);

@@ -8,7 +8,7 @@
 #include "ChainPlaces.h"
 #include "SurfaceStars.h"
 
-#include <algorithm> // for any_of, min, max
+#include <algorithm> // for all_of, any_of, min, max
 #include <array>     // for triangles
 #include <cmath>     // for sqrt
 
@@ -208,7 +208,7 @@ protected:
     constexpr double Better = 1e-9;
     const bool isBetter = agrees && after < std::max(before - Better, good);
     this->Mesh.Points[At(vertex)] = place.Place;
-    if (isBetter && (far == Infinity || this->DeviationAt(vertex) < far))
+    if (isBetter && (far == Infinity || this->IsNearer(vertex, far)))
     {
       this->Changes[At(vertex)] = ++this->Now;
       if (isFree)
@@ -288,6 +288,13 @@ protected:
   {
     return this->DeviationOf(this->TriangleAt(3 * t),
       { this->Mesh.Corners[3 * t], this->Mesh.Corners[3 * t + 1], this->Mesh.Corners[3 * t + 2] });
+  }
+
+  /// Whether all triangles at the vertex are.
+  bool IsNearer(Id vertex, double far) const
+  {
+    return std::all_of(this->SlotsAt.Begin(vertex), this->SlotsAt.End(vertex),
+      [this, far](Id slot) { return this->DeviationOf(At(slot) / 3) < far; });
   }
 
   /// The largest one of the triangles at the vertex.
@@ -497,6 +504,12 @@ private:
       {
         far.push_back(t);
       }
+    }
+    // Where more are far the input's facets are coarse for f: steps help little, and cost most.
+    constexpr std::size_t MostShare = 8;
+    if (far.size() > this->Mesh.Corners.size() / 3 / MostShare)
+    {
+      return;
     }
     for (const std::size_t t : far)
     {

@@ -27,8 +27,8 @@ struct RelaxedSurface
 /// triangles at vertices, and vertices move to the middle of mass of their triangles, density
 /// 1/f^4: free ones on the ground, those of chains along their chains. Then the vertices of the
 /// worst triangles are moved by trial. At last edges are flipped and free vertices moved by trial
-/// where middles of triangles are farther than .08 f from the ground. `pieces` are edges that
-/// stay, two points each.
+/// where middles of triangles are farther than .08 f from the ground, unless more than an eighth
+/// are. `pieces` are edges that stay, two points each.
 /// Laws: no step makes a triangle worse than the worst one about it was, but for those whose
 /// smallest angle stays above 35 degrees; steps towards the ground none but for those above 38.
 /// Triangles stay within 50 degrees of the ground's normals, or as near to them as they were.
