@@ -13,7 +13,7 @@ BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
   : Body(body)
   , NumberOfGiven(static_cast<Id>(body.Points.size()))
   , FacetSlots(2 * body.FacetTags.size(), NoId)
-  , KeptEnds(body.Points.size(),
+  , KeptEnds(At(body.NumberOnLines),
       [&body](const auto& add)
       {
         for (std::size_t k = 0; k < body.PieceEnds.size(); k += 2)
@@ -181,6 +181,7 @@ void BodyTets::GiveBack()
 /// Takes free cells away. `numbers`: of vertices, the new ones.
 void BodyTets::DropFree(const std::vector<Id>& numbers)
 {
+  std::vector<double>().swap(this->Badness);
   Id kept = 0;
   std::vector<Id> places(At(this->Mesh.NumberOfSlots()), NoId);
   for (Id cell = 0; cell < this->Mesh.NumberOfSlots(); ++cell)
