@@ -283,6 +283,7 @@ void BodyTets::GiveBack()
 /// Takes free cells away. `numbers`, `records`: of vertices and of records, the new ones.
 void BodyTets::DropFree(const std::vector<Id>& numbers, const std::vector<Id>& records)
 {
+  std::vector<double>().swap(this->Badness);
   Id kept = 0;
   std::vector<Id> places(At(this->Mesh.NumberOfSlots()), NoId);
   for (Id cell = 0; cell < this->Mesh.NumberOfSlots(); ++cell)

@@ -12,6 +12,7 @@
 #include <array>     // for distances
 #include <cstddef>   // for indices
 #include <cstdint>   // for counts
+#include <memory>    // for chunks
 #include <vector>    // for the arrays
 
 namespace biting
@@ -26,6 +27,31 @@ struct GuardedBall
   Id Frame = NoId;     ///< of a cube: the number of its axes; NoId: a ball
 };
 
+/// A list that grows without being copied.
+template <typename Item>
+class ChunkedList
+{
+public:
+  std::size_t Size() const { return this->Count; }
+  Item& operator[](std::size_t k) { return this->Chunks[k / ChunkSize][k % ChunkSize]; }
+  const Item& operator[](std::size_t k) const { return this->Chunks[k / ChunkSize][k % ChunkSize]; }
+
+  void Add(const Item& item)
+  {
+    if (this->Count % ChunkSize == 0)
+    {
+      this->Chunks.push_back(std::make_unique<Item[]>(ChunkSize));
+    }
+    (*this)[this->Count++] = item;
+  }
+
+private:
+  static constexpr std::size_t ChunkSize = 1024;
+
+  std::vector<std::unique_ptr<Item[]>> Chunks;
+  std::size_t Count = 0;
+};
+
 /// Finds balls of any sizes at a place or near a ball: an octree whose leaves list the balls that
 /// meet them. A leaf is no larger than LargestLeaf radii of any ball in it, so that bites put some
 /// 30 balls into a leaf. Cost: a walk down the tree for a place; constant for the neighbors of a
@@ -37,18 +63,19 @@ public:
     : Root{ 0, bounds.Center(),
       0.5 * std::max({ bounds.Size(0), bounds.Size(1), bounds.Size(2), 1e-300 }) }
   {
+    this->Blocks.Add({});
   }
 
   const GuardedBall& At(Id ball) const { return this->Items[static_cast<std::size_t>(ball)]; }
-  Id Size() const { return static_cast<Id>(this->Items.size()); }
+  Id Size() const { return static_cast<Id>(this->Items.Size()); }
 
   /// Calls visit(id, other) for all balls that meet `ball`, then adds `ball`.
   template <typename Visit>
   void Add(const GuardedBall& ball, const Visit& visit)
   {
     const Id id = this->Size();
-    this->Items.push_back(ball);
-    this->LastVisits.push_back(id);
+    this->Items.Add(ball);
+    this->LastVisits.Add(id);
     const double largest = std::max(LargestLeaf * ball.Radius, LeastShare * this->Root.HalfSide);
     this->NumberFound = 0;
     this->VisitLeaves(ball, largest,
@@ -179,14 +206,28 @@ private:
     }
   }
 
+  /// An empty one.
+  Id NewBlock(Id next)
+  {
+    Id block = this->FirstFree;
+    if (block == 0)
+    {
+      block = static_cast<Id>(this->Blocks.Size());
+      this->Blocks.Add({});
+    }
+    this->FirstFree = this->BlockAt(block).Next;
+    this->Blocks[static_cast<std::size_t>(block)].Count = 0;
+    this->Blocks[static_cast<std::size_t>(block)].Next = next;
+    return block;
+  }
+
   /// Adds the ball to the list of a leaf.
   void Prepend(Id node, Id ball)
   {
     const Id head = ~this->NodeAt(node);
     if (head == 0 || this->BlockAt(head).Count == Block().Balls.size())
     {
-      this->NodeAt(node) = ~static_cast<Id>(this->Blocks.size());
-      this->Blocks.push_back({ {}, 0, head });
+      this->NodeAt(node) = ~this->NewBlock(head);
     }
     Block& block = this->Blocks[static_cast<std::size_t>(~this->NodeAt(node))];
     block.Balls[block.Count++] = ball;
@@ -255,10 +296,14 @@ private:
   void Split(const Cube& cube)
   {
     this->Moved.clear();
-    for (Id id = ~this->NodeAt(cube.Node); id != 0; id = this->BlockAt(id).Next)
+    Id next = 0;
+    for (Id id = ~this->NodeAt(cube.Node); id != 0; id = next)
     {
-      const Block& block = this->BlockAt(id);
+      Block& block = this->Blocks[static_cast<std::size_t>(id)];
       this->Moved.insert(this->Moved.end(), block.Balls.rend() - block.Count, block.Balls.rend());
+      next = block.Next;
+      block.Next = this->FirstFree;
+      this->FirstFree = id;
     }
     const Id first = static_cast<Id>(this->Nodes.size());
     this->Nodes.resize(this->Nodes.size() + 8, ~0);
@@ -277,11 +322,12 @@ private:
   }
 
   Cube Root;
-  std::vector<GuardedBall> Items;
-  std::vector<Id> LastVisits;     ///< of balls: the number of the last visit that came there
-  std::vector<Id> Nodes{ ~0 };    ///< the first of eight children, or a leaf: ~ its first block
-  std::vector<Block> Blocks{ 1 }; ///< the first one stands for none
-  std::vector<Cube> Front;        ///< of the walk
+  ChunkedList<GuardedBall> Items;
+  ChunkedList<Id> LastVisits;  ///< of balls: the number of the last visit that came there
+  std::vector<Id> Nodes{ ~0 }; ///< the first of eight children, or a leaf: ~ its first block
+  ChunkedList<Block> Blocks;   ///< the first one stands for none
+  Id FirstFree = 0;            ///< of the blocks that no leaf has
+  std::vector<Cube> Front;     ///< of the walk
   std::vector<Id> Moved;
   std::vector<Id> Found; ///< by a visit, then anything
   std::size_t NumberFound = 0;

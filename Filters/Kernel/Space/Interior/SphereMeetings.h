@@ -7,7 +7,7 @@
 #include "BallTree.h"
 #include "InteriorBites.h"
 
-#include <algorithm> // for find_if, sort
+#include <algorithm> // for find_if, max, sort
 #include <cmath>     // for sqrt
 #include <cstddef>   // for indices
 #include <vector>    // for the arrays
@@ -70,7 +70,10 @@ public:
   template <typename IsParent, typename Visit>
   void Find(const IsParent& isParent, const Visit& visit)
   {
-    this->SortCircles();
+    // Large guards first: they hide most places.
+    std::sort(this->Circles.begin(), this->Circles.end(),
+      [](const Circle& a, const Circle& b)
+      { return a.Guard < b.Guard || (a.Guard == b.Guard && a.Ball < b.Ball); });
     this->Hider = 0;
     this->Parents.clear();
     for (const Circle& circle : this->Circles)
@@ -93,25 +96,6 @@ private:
     double GuardSine;
     Id Ball;
   };
-
-  /// Large guards first: they hide most places.
-  void SortCircles()
-  {
-    this->Order.clear();
-    for (const Circle& circle : this->Circles)
-    {
-      this->Order.push_back({ circle.Guard, circle.Ball, this->Order.size() });
-    }
-    std::sort(this->Order.begin(), this->Order.end(),
-      [](const Key& a, const Key& b)
-      { return a.Guard < b.Guard || (a.Guard == b.Guard && a.Ball < b.Ball); });
-    this->Parents.clear();
-    for (const Key& key : this->Order)
-    {
-      this->Parents.push_back(this->Circles[key.Place]);
-    }
-    this->Circles.swap(this->Parents);
-  }
 
   static double SineOf(double cosine) { return std::sqrt(std::max(0.0, 1.0 - cosine * cosine)); }
 
@@ -187,13 +171,6 @@ private:
     return isFound;
   }
 
-  struct Key
-  {
-    double Guard;
-    Id Ball;
-    std::size_t Place; ///< in Circles
-  };
-
   /// Of circles whose planes meet inside the sphere.
   struct Pair
   {
@@ -208,7 +185,6 @@ private:
   GuardedBall Own;
   std::vector<Pair> Pairs;
   std::vector<Circle> Circles;
-  std::vector<Key> Order;
   std::vector<Circle> Parents; ///< the circles that lie in no guard
   std::size_t Hider = 0;       ///< the circle whose guard hid the last place
   bool IsHidden = false;       ///< another ball contains the sphere

@@ -150,6 +150,7 @@ private:
   void TakeCells(BodyCells& result)
   {
     TetMesh& mesh = this->Mesh;
+    result.Labels.reserve(At(mesh.NumberOfCells()));
     for (Id cell = 0; cell < mesh.NumberOfSlots(); ++cell)
     {
       Id& place = this->Parts[At(cell)];

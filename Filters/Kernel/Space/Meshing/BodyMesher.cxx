@@ -46,7 +46,11 @@ public:
     {
       mesh = this->Finish();
     }
-    return this->Problems.HasErrors() ? BitingBody() : mesh;
+    if (this->Problems.HasErrors())
+    {
+      return {};
+    }
+    return mesh;
   }
 
 private:
@@ -211,10 +215,13 @@ private:
     const SurfaceBoundary& boundary = this->Certified.Boundary;
     constexpr int MostRounds = 8;
     BodyCells cells;
+    std::vector<Point3> points;
+    points.reserve(At(this->NumberOnBoundary()) + this->Inside.Centers.size());
+    points = this->Certified.Bites.Centers;
+    points.insert(points.end(), this->Inside.Centers.begin(), this->Inside.Centers.end());
+    std::vector<Point3>().swap(this->Inside.Centers);
     for (int round = 0; round < MostRounds; ++round)
     {
-      std::vector<Point3> points = this->Certified.Bites.Centers;
-      points.insert(points.end(), this->Inside.Centers.begin(), this->Inside.Centers.end());
       this->Weights.resize(points.size(), 0.0);
       cells = this->TriangulateAll(points, pulse);
       if (!MayGoOn(this->Problems, pulse))
@@ -226,7 +233,7 @@ private:
         this->MakeBody(std::move(points), std::move(cells));
         return MayGoOn(this->Problems, pulse);
       }
-      if (!this->ClearBalls(cells.Lost))
+      if (!this->ClearBalls(cells.Lost, points))
       {
         break;
       }
@@ -250,21 +257,23 @@ private:
   }
 
   /// Whether bites went.
-  bool ClearBalls(const std::vector<Id>& facets)
+  bool ClearBalls(const std::vector<Id>& facets, std::vector<Point3>& points)
   {
     const InteriorBites given = std::move(this->Inside);
     this->Inside = {};
-    for (std::size_t bite = 0; bite < given.Centers.size(); ++bite)
+    std::size_t kept = At(this->NumberOnBoundary());
+    for (std::size_t bite = 0; bite < given.Sizes.size(); ++bite)
     {
+      const Point3 place = points[At(this->NumberOnBoundary()) + bite];
       const bool isIn = std::any_of(facets.begin(), facets.end(),
-        [this, &given, bite](Id facet)
+        [this, &place](Id facet)
         {
           const EmptyBall ball = this->BallOf(At(facet));
-          return Distance(ball.Center, given.Centers[bite]) < ball.Radius;
+          return Distance(ball.Center, place) < ball.Radius;
         });
       if (!isIn)
       {
-        this->Inside.Centers.push_back(given.Centers[bite]);
+        points[kept++] = place;
         this->Inside.Sizes.push_back(given.Sizes[bite]);
         this->Inside.Radii.push_back(given.Radii[bite]);
         if (!given.Axes.empty())
@@ -273,7 +282,8 @@ private:
         }
       }
     }
-    return this->Inside.Centers.size() < given.Centers.size();
+    points.resize(kept);
+    return this->Inside.Sizes.size() < given.Sizes.size();
   }
 
   /// Bites inside that no tetrahedron has are no vertices.
@@ -282,6 +292,13 @@ private:
     const SurfaceBites& bites = this->Certified.Bites;
     RelaxedBody& body = this->Body;
     const auto onBoundary = static_cast<std::size_t>(bites.Size());
+    InteriorBites inside = std::move(this->Inside);
+    if (this->Options.Surface.KeepBites)
+    {
+      this->Inside.Centers.assign(points.begin() + bites.Size(), points.end());
+      this->Inside.Radii = std::move(inside.Radii);
+      this->Inside.Axes = std::move(inside.Axes);
+    }
     std::vector<Id> numbers(points.size(), NoId);
     for (const Id corner : cells.Corners)
     {
@@ -296,7 +313,7 @@ private:
         numbers[point] = static_cast<Id>(body.Sizes.size());
         points[body.Sizes.size()] = points[point];
         body.Sizes.push_back(
-          point < onBoundary ? bites.Sizes[point] : this->Inside.Sizes[point - onBoundary]);
+          point < onBoundary ? bites.Sizes[point] : inside.Sizes[point - onBoundary]);
         this->BiteOrders.push_back(static_cast<Id>(point));
       }
     }
@@ -318,11 +335,6 @@ private:
     body.PieceEnds = bites.PieceEnds;
     body.PieceChains = bites.PieceChains;
     std::vector<double>().swap(this->Weights);
-    std::vector<double>().swap(this->Inside.Sizes);
-    if (!this->Options.Surface.KeepBites)
-    {
-      this->Inside = {};
-    }
   }
 
   bool Relax()
@@ -357,6 +369,7 @@ private:
       const Id triangle = this->Body.BoundaryPlaces[At(this->Body.Facets[slot])];
       below.push_back(this->Certified.Ground.Mesh.Cells[At(triangle)]);
     }
+    std::vector<Id>().swap(this->Body.Twins);
     const WholeVerdict whole =
       CheckWhole(this->Surface, boundary.Points, this->Body.Facets, below, pulse);
     if (MayGoOn(this->Problems, pulse) && (!verdict.What.empty() || !whole.IsSame))
@@ -484,7 +497,11 @@ BitingBody MakeBitingBody(const CheckedSurface& surface, const BodyMesherOptions
     problems.Add({ ProblemCode::CheckFailed, {}, mesh.Points[At(mesh.Corners[4 * At(flat)])],
       "a tetrahedron that is not positive" });
   }
-  return MayGoOn(problems, pulse) ? mesh : BitingBody();
+  if (!MayGoOn(problems, pulse))
+  {
+    return {};
+  }
+  return mesh;
 }
 
 } // namespace biting

@@ -177,9 +177,9 @@ template <typename Visit>
 void ForEachEdge(const TetView& mesh, Pulse& pulse, const Visit& visit)
 {
   const IdLists tetsAt(mesh.Points.size(),
-    [&mesh](const auto& add)
+    [&mesh, &pulse](const auto& add)
     {
-      for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
+      for (std::size_t slot = 0; slot < mesh.Corners.size() && pulse.Beat(1); ++slot)
       {
         add(mesh.Corners[slot], static_cast<Id>(slot / 4));
       }
