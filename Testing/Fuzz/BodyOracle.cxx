@@ -175,8 +175,9 @@ std::string JudgeTopology(const BitingSurface& mesh, const SurfaceMesh& input)
     }
     return text;
   }
-  if ((topology.Borders > 0) != (wanted.Borders > 0) ||
-    (topology.Crowded > 0) != (wanted.Crowded > 0))
+  // Fins as thin as rounding may go.
+  if (wanted.Crowded == 0 &&
+    ((topology.Borders > 0) != (wanted.Borders > 0) || topology.Crowded > 0))
   {
     return std::to_string(topology.Borders) + " edges with one triangle and " +
       std::to_string(topology.Crowded) + " with more than two for " +
