@@ -175,7 +175,7 @@ std::string JudgeTopology(const BitingSurface& mesh, const SurfaceMesh& input)
     }
     return text;
   }
-  // Fins as thin as rounding may go.
+  // Fins that are far thinner than f may go.
   if (wanted.Crowded == 0 &&
     ((topology.Borders > 0) != (wanted.Borders > 0) || topology.Crowded > 0))
   {
