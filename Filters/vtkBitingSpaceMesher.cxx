@@ -154,7 +154,10 @@ bool vtkBitingSpaceMesher::Execution::Check()
       }
     }
   }
-  return this->AcceptProblems(nullptr) && !this->WasAborted();
+  return this->AcceptProblems(nullptr) && !this->WasAborted() &&
+    this->Accept(this->Surface.Mesh.NumberOfTriangles() == 0
+        ? "The surface is no larger than the rounding of its coordinates, or than Merge Tolerance."
+        : "");
 }
 
 //------------------------------------------------------------------------------

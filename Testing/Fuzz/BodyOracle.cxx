@@ -510,7 +510,8 @@ BodyOutcome RunSurfaceCase(const SurfaceCase& surface, bool isRepeated)
   const CheckedSurface checked = CheckSurface(surface.Input, surface.Check, checks, NoMonitor());
   outcome.Refusal = TextOf(checks, outcome.Violation);
   outcome.IsClean = !checks.HasErrors() && checks.Groups().empty();
-  if (IsMeshable(checks) && outcome.Violation.empty())
+  const bool isThere = checked.Mesh.NumberOfTriangles() > 0; // more than rounding
+  if (IsMeshable(checks) && isThere && outcome.Violation.empty())
   {
     BodyMesherOptions options = surface.Options;
     for (const Id cell : checked.Mesh.Cells)
