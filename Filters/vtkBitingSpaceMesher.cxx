@@ -159,7 +159,10 @@ bool vtkBitingSpaceMesher::Execution::Check()
   {
     this->Options.Regions[t] = this->Regions.Numbers[static_cast<std::size_t>(cells[t])];
   }
-  return this->AcceptProblems(nullptr) && !this->WasAborted();
+  return this->AcceptProblems(nullptr) && !this->WasAborted() &&
+    this->Accept(this->Surface.Mesh.NumberOfTriangles() == 0
+        ? "The surface is no larger than the rounding of its coordinates, or than Merge Tolerance."
+        : "");
 }
 
 //------------------------------------------------------------------------------

@@ -275,6 +275,8 @@ TEST(BitingSurfaceMesher, RefusesWithAPlaceWhatItCannotMesh)
   EXPECT_TRUE(Has(ReasonOf(filter), "Maximum Number Of Vertices"));
   filter->SetInputData(UnitSquare());
   EXPECT_TRUE(Has(ReasonOf(filter), "no surface"));
+  filter->SetInputData(Sphere(0.0));
+  EXPECT_TRUE(Has(ReasonOf(filter), "no larger than the rounding"));
 }
 
 TEST(BitingSurfaceMesher, IsTheSameWithAnyNumberOfThreadsAndInAnyRun)

@@ -19,9 +19,9 @@ struct WholeVerdict
 {
   bool IsSame = true;
   bool IsCoarse = false; ///< the same topology: area or volume differ
-  Point3 Place;     ///< on the part that differs
-  Id Triangle = 0;  ///< of the surface, there
-  std::string What; ///< the figures that differ
+  Point3 Place;          ///< on the part that differs
+  Id Triangle = 0;       ///< of the surface, there
+  std::string What;      ///< the figures that differ
 };
 
 /// Whether the mesh has the parts of the surface, each with the same Euler number, nearly the same
