@@ -291,13 +291,12 @@ void AddJumpsOutside(const TriangleInterpolator& source, const std::vector<doubl
     edgeTo[static_cast<std::size_t>(edge.EndId)] = &edge;
   }
   BorderRays rays(source, most, rule, edges);
-  pulse.ForEach(border.size(),
-    [&rays, &border, &edgeFrom, &edgeTo](std::size_t k)
-    {
-      const BorderEdge& edge = border[k];
-      rays.ListFrom(edge, *edgeTo[static_cast<std::size_t>(edge.StartId)],
-        *edgeFrom[static_cast<std::size_t>(edge.EndId)]);
-    });
+  for (std::size_t k = 0; k < border.size() && pulse.Beat(64); ++k)
+  {
+    const BorderEdge& edge = border[k];
+    rays.ListFrom(edge, *edgeTo[static_cast<std::size_t>(edge.StartId)],
+      *edgeFrom[static_cast<std::size_t>(edge.EndId)]);
+  }
 }
 
 } // namespace biting
