@@ -4,9 +4,7 @@
 #include "SegmentCone.h"
 #include "TriangleInterpolator.h"
 
-#include "../Base/Tasks.h"
-
-#include <array> // for parts
+#include <array> // for neighbors
 #include <cmath> // for abs
 
 namespace biting
@@ -22,11 +20,7 @@ constexpr double WidthOfPart = 2.0;
 constexpr double ShortRay = 0.1;
 constexpr double Slight = 0.02;
 
-constexpr int MostDivisions = 20;
-
-/// Edges are dealt to so many tasks. Each lists at most MostParts rays and chords.
-constexpr std::size_t NumberOfTasks = 64;
-constexpr std::size_t MostParts = 1 << 16;
+constexpr int MostDivisions = 12;
 
 /// From the border outward, up to where another place of the border is as near.
 struct Ray
@@ -55,11 +49,11 @@ public:
   {
   }
 
-  /// From an edge, and around its end as far as the normal of the next one. Parts of it that are
-  /// clamped are edges of their own.
+  /// From an edge, and around its end as far as the normal of the next one.
   void ListFrom(const BorderEdge& edge, const BorderEdge& previous, const BorderEdge& next)
   {
     constexpr double Slightly = 1e-3;
+    constexpr int PartsOfClamped = 16;
     const Point2 outward = OutwardOf(edge);
     const double length = Distance(edge.Start, edge.End);
     if (this->Source.ValueInside(Midpoint(edge.Start, edge.End) + Slightly * length * outward))
@@ -67,24 +61,27 @@ public:
       return;
     }
     this->Neighbors = { previous.Start, next.End };
-    const auto [from, to] = std::minmax({ this->ShareAt(edge, this->Rule.Range.Least, 0.0),
-      this->ShareAt(edge, this->Rule.Range.Most, 1.0) });
-    Ray rays[4] = { this->RayAt(edge, 0.0), this->RayAt(edge, from), this->RayAt(edge, to),
-      this->RayAt(edge, 1.0) };
-    this->CastEnd(rays[0], edge.End, rays[from > 0.0 ? 1 : 2], previous.Start);
-    this->CastEnd(rays[3], edge.Start, rays[to < 1.0 ? 2 : 1], next.End);
-    from > 0.0 ? this->Cast(rays[1], 0.0) : void(rays[1] = rays[0]);
-    to < 1.0 ? this->Cast(rays[2], 0.0) : void(rays[2] = rays[3]);
-    for (std::size_t k = 0; k < 3; ++k)
+    const ValueRange& range = this->Rule.Range;
+    const double values[2] = { range.Scale * edge.StartValue, range.Scale * edge.EndValue };
+    const bool isLinear = range(edge.StartValue) == values[0] && range(edge.EndValue) == values[1];
+    const int parts = isLinear ? 1 : PartsOfClamped;
+    const auto rayAt = [this, &edge, parts](int k)
+    { return this->RayAt(edge, static_cast<double>(k) / parts); };
+    Ray last = rayAt(0);
+    this->CastEnd(last, edge.End, rayAt(1), previous.Start);
+    for (int k = 1; k <= parts; ++k)
     {
-      this->ListBetween(rays[k], rays[k + 1]);
+      const Ray first = last;
+      last = rayAt(k);
+      k < parts ? this->Cast(last, 0.0) : this->CastEnd(last, edge.Start, rayAt(k - 1), next.End);
+      this->ListBetween(first, last);
     }
-    Ray turned = rays[3];
+    Ray turned = last;
     turned.Direction = OutwardOf(next);
     if (Cross(outward, turned.Direction) > 0.0)
     {
-      this->Cast(turned, rays[3].Length);
-      this->Divide(rays[3], turned, 0);
+      this->Cast(turned, last.Length);
+      this->Divide(last, turned, 0);
     }
   }
 
@@ -93,14 +90,6 @@ private:
   {
     const Point2 along = edge.End - edge.Start;
     return (-1.0 / Length(along)) * Perpendicular(along);
-  }
-
-  /// Where along an edge values reach a bound; `none` where they do not.
-  double ShareAt(const BorderEdge& edge, double bound, double none) const
-  {
-    const double start = this->Rule.Range.Scale * edge.StartValue;
-    const double end = this->Rule.Range.Scale * edge.EndValue;
-    return (start < bound) != (end < bound) ? std::min((bound - start) / (end - start), 1.0) : none;
   }
 
   Ray RayAt(const BorderEdge& edge, double share) const
@@ -139,17 +128,14 @@ private:
   /// Of a part of an edge.
   void ListBetween(const Ray& first, const Ray& last)
   {
-    const double length = Distance(first.Start, last.Start);
     const Ray& low = first.Value < last.Value ? first : last;
-    this->IsSteep = std::abs(last.Value - first.Value) > this->Rule.Slope * length;
+    this->IsSteep =
+      std::abs(last.Value - first.Value) > this->Rule.Slope * Distance(first.Start, last.Start);
     if (this->IsSteep && low.IsUseful && low.Length > 0.0)
     {
-      this->Add(low, low.Start, low);
+      this->Edges.Add(low.Start, low.End(), low.Value, low.Value);
     }
-    if (length > 0.0)
-    {
-      this->Divide(first, last, 0);
-    }
+    this->Divide(first, last, 0);
     this->IsSteep = false;
   }
 
@@ -184,7 +170,7 @@ private:
     const bool isFine = first.IsUseful == last.IsUseful
       ? width <= this->ShareOf(least, WidthOfPart) && this->AreOnChord(first, middle, last)
       : isAlike && base <= this->ShareOf(least, LargestSag);
-    if (isFine || divisions == MostDivisions || this->Count > MostParts)
+    if (isFine || divisions == MostDivisions)
     {
       this->AddChord(first, middle);
       this->AddChord(middle, last);
@@ -216,14 +202,8 @@ private:
     const Ray& low = rise > 0.0 ? start : end;
     if ((this->IsNeeded(first) || this->IsNeeded(last)) && (!isSteep || low.Length > 0.0))
     {
-      this->Add(start, start.End(), end);
+      this->Edges.Add(start.End(), end.End(), start.Value, end.Value);
     }
-  }
-
-  void Add(const Ray& first, const Point2& start, const Ray& last)
-  {
-    this->Count += 1;
-    this->Edges.Add(start, last.End(), first.Value, last.Value);
   }
 
   /// Finds where a ray ends: the largest ball that touches the border where it starts, with its
@@ -289,7 +269,6 @@ private:
   SegmentSource& Edges;
   std::array<Point2, 2> Neighbors; ///< the next points of the border, before and behind the edge
   bool IsSteep = false;            ///< the part of an edge that rays come from
-  std::size_t Count = 0;
 };
 
 } // namespace
@@ -311,24 +290,12 @@ void AddJumpsOutside(const TriangleInterpolator& source, const std::vector<doubl
     edgeFrom[static_cast<std::size_t>(edge.StartId)] = &edge;
     edgeTo[static_cast<std::size_t>(edge.EndId)] = &edge;
   }
-  std::array<SegmentSource, NumberOfTasks> parts;
-  DoTasks(pulse, parts.size(),
-    [&source, &most, &rule, &parts, &border, &edgeFrom, &edgeTo](std::size_t k, Monitor& monitor)
-    {
-      Pulse own(monitor);
-      BorderRays rays(source, most, rule, parts[k]);
-      const std::size_t last = (k + 1) * border.size() / NumberOfTasks;
-      for (std::size_t edge = k * border.size() / NumberOfTasks; edge < last && own.Beat(64);
-           ++edge)
-      {
-        const BorderEdge& at = border[edge];
-        rays.ListFrom(at, *edgeTo[static_cast<std::size_t>(at.StartId)],
-          *edgeFrom[static_cast<std::size_t>(at.EndId)]);
-      }
-    });
-  for (const SegmentSource& part : parts)
+  BorderRays rays(source, most, rule, edges);
+  for (std::size_t k = 0; k < border.size() && pulse.Beat(64); ++k)
   {
-    edges.Add(part);
+    const BorderEdge& edge = border[k];
+    rays.ListFrom(edge, *edgeTo[static_cast<std::size_t>(edge.StartId)],
+      *edgeFrom[static_cast<std::size_t>(edge.EndId)]);
   }
 }
 

@@ -115,10 +115,10 @@ private:
 };
 
 /// Adds what limits f outside of triangles, where the value is v(y), y the nearest place of their
-/// border: rays from y along the normal, with the value v(y), up to where another place z of the
-/// border is as near. Rays start at steep edges, and where v(y) differs from v(z), about f / 2
-/// apart. `most` bounds f at each point of the source, infinite where not known: a ray is left out
-/// where v(y) is nowhere below this bound, grown with the slope.
+/// border. A ray from y along the normal ends where another place is as near: rays from the low
+/// ends of steep edges, and chords of the curves on which rays end, where v jumps or is steep.
+/// `most` bounds f at each point of the source, infinite where not known: what is above this
+/// bound, grown with the slope, is left out.
 void AddJumpsOutside(const TriangleInterpolator& source, const std::vector<double>& most,
   const SteepRule& rule, SegmentSource& edges, Pulse& pulse);
 
