@@ -125,13 +125,13 @@ BoxTree<Item, D>::BoxTree(std::vector<Item> items, Pulse& pulse)
       entries[i] = { items[i].Box(), items[i].Least(), static_cast<Id>(i) };
     });
   this->Build(entries, pulse);
-  this->Ordered = std::move(items);
-  this->Order(entries);
   if (pulse.HasStopped())
   {
-    this->Nodes.clear();
-    this->Ordered.clear();
+    this->Nodes.clear(); // the entries may not all be there
+    return;
   }
+  this->Ordered = std::move(items);
+  this->Order(entries);
 }
 
 /// Item i becomes item entries[i].Number: cycle by cycle, in place.
