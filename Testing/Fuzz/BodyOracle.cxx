@@ -5,7 +5,7 @@
 
 #include "Predicates/Predicates3.h"
 
-#include "Testing/Kernel/Support/TestThreads.h"
+#include "Support/TestThreads.h"
 
 #include <algorithm> // for all_of, binary_search, count, min, remove_if, rotate, sort
 #include <array>     // for facets
