@@ -24,7 +24,7 @@ public:
 
   void Run(Pulse& pulse)
   {
-    this->ListFacets();
+    this->FacetsAt = PlacesByKey(this->Boundary.Corners, At(this->Bites.Size()));
     this->ListPieces();
     for (Id bite = 0; bite < this->Bites.Size() && pulse.Beat(8); ++bite)
     {
@@ -47,30 +47,6 @@ private:
     this->Boundary.Offences.push_back({ fault, bite, other });
   }
 
-  void ListFacets()
-  {
-    const std::vector<Id>& corners = this->Boundary.Corners;
-    std::vector<Id>& offsets = this->FacetsAt.Offsets;
-    offsets.assign(At(this->Bites.Size()) + 1, 0);
-    this->FacetsAt.Items.resize(corners.size());
-    for (const Id corner : corners)
-    {
-      ++offsets[At(corner)];
-    }
-    Id sum = 0;
-    for (Id& offset : offsets)
-    {
-      sum += offset;
-      offset = sum;
-    }
-    for (std::size_t slot = corners.size(); slot-- > 0;)
-    {
-      Id& offset = offsets[At(corners[slot])];
-      --offset;
-      this->FacetsAt.Items[At(offset)] = static_cast<Id>(slot);
-    }
-  }
-
   void ListPieces()
   {
     const std::vector<Id>& ends = this->Bites.PieceEnds;
@@ -78,13 +54,19 @@ private:
     {
       const std::pair<Id, Id> piece = std::minmax(ends[k], ends[k + 1]);
       this->Pieces.push_back(piece);
-      if (this->Ground.Chains.Kinds[At(this->Bites.PieceChains[k / 2])] == SurfaceEdgeKind::Feature)
+      const SurfaceEdgeKind kind = this->Ground.Chains.Kinds[At(this->Bites.PieceChains[k / 2])];
+      if (kind == SurfaceEdgeKind::Feature)
       {
         this->Turning.push_back(piece);
+      }
+      if (kind == SurfaceEdgeKind::Border)
+      {
+        this->Borders.push_back(piece);
       }
     }
     std::sort(this->Pieces.begin(), this->Pieces.end());
     std::sort(this->Turning.begin(), this->Turning.end());
+    std::sort(this->Borders.begin(), this->Borders.end());
   }
 
   bool IsPiece(Id a, Id b) const { return this->IsAmong(this->Pieces, a, b); }
@@ -101,7 +83,8 @@ private:
 
   /// Follows the fan from each facet at the bite; all of them must come in one turn, but at corners
   /// without pieces, which are pinches of the surface. At a vertex of features that is asked of
-  /// solids only in all, and for other edges than pieces; pieces that turn have two facets.
+  /// solids only in all, and for other edges than pieces; pieces that turn have two facets, those of
+  /// borders one.
   void CheckFan(Id bite)
   {
     const Id* begin = this->FacetsAt.Begin(bite);
@@ -120,7 +103,8 @@ private:
       }
       const bool isPiece = this->IsPiece(bite, this->Next(*slot));
       if ((!isPiece && (before != 1 || beside != 1)) ||
-        (before + beside != 2 && this->IsAmong(this->Turning, bite, this->Next(*slot))))
+        (before + beside != 2 && this->IsAmong(this->Turning, bite, this->Next(*slot))) ||
+        (before + beside != 1 && this->IsAmong(this->Borders, bite, this->Next(*slot))))
       {
         this->Tell(BoundaryFault::NonManifold, bite, this->Next(*slot));
         return;
@@ -212,6 +196,7 @@ private:
   ListsByKey FacetsAt; ///< of bites: the slots of facets
   std::vector<std::pair<Id, Id>> Pieces;
   std::vector<std::pair<Id, Id>> Turning; ///< those of turning edges
+  std::vector<std::pair<Id, Id>> Borders; ///< those of borders
 };
 
 } // namespace

@@ -184,8 +184,7 @@ std::vector<Id> BodyTets::DropUnused()
   {
     for (Id vertex = 0; vertex < this->Mesh.NumberOfVertices(); ++vertex)
     {
-      if (this->Kinds[At(vertex)] == kind &&
-        this->Mesh.VertexCells[At(vertex)] != NoId)
+      if (this->Kinds[At(vertex)] == kind && this->Mesh.VertexCells[At(vertex)] != NoId)
       {
         numbers[At(vertex)] = static_cast<Id>(order.size());
         order.push_back(vertex);
@@ -298,9 +297,8 @@ void BodyTets::DropFree(const std::vector<Id>& numbers, const std::vector<Id>& r
       const Id twin = this->Mesh.Twins[At(slot)];
       const Id to = 4 * place + (slot & 3);
       this->Mesh.Corners[At(to)] = numbers[At(this->VertexAt(slot))];
-      this->Mesh.Twins[At(to)] = twin < 0
-        ? RelaxedBody::CodeOf(records[At(this->RecordOf(slot))])
-        : 4 * places[At(twin >> 2)] + (twin & 3);
+      this->Mesh.Twins[At(to)] = twin < 0 ? RelaxedBody::CodeOf(records[At(this->RecordOf(slot))])
+                                          : 4 * places[At(twin >> 2)] + (twin & 3);
       this->Mesh.Labels[At(place)] = this->Mesh.Labels[At(slot >> 2)];
     }
   }

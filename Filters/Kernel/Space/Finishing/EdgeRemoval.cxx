@@ -376,9 +376,8 @@ void EdgeRemoval::FillAround(const GroundPlace& place)
 {
   const bool isOnFacets = this->NumberOfRecords > 0;
   RelaxedBody& body = this->Tets.Body;
-  const Id vertex =
-    this->Tets.AddVertex(isOnFacets ? BodyTets::Kind::OnPatch : BodyTets::Kind::Inside, place.Place,
-      this->EdgeSize());
+  const Id vertex = this->Tets.AddVertex(
+    isOnFacets ? BodyTets::Kind::OnPatch : BodyTets::Kind::Inside, place.Place, this->EdgeSize());
   body.BoundaryPlaces.resize(body.Sizes.size(), NoId);
   body.BoundaryPlaces[At(vertex)] = place.Triangle;
   this->Change.Filling.clear();

@@ -481,8 +481,8 @@ private:
             least = std::min(least, this->ShareAt(corners[slot]));
           }
           isFar[t] = least > LeastFarShare &&
-              NearestBelow(this->Surface.Mesh, this->Tree, this->Boundary.Triangles[t], middle).second >
-                2.0 * this->Options.BoundaryTolerance * size
+              NearestBelow(this->Surface.Mesh, this->Tree, this->Boundary.Triangles[t], middle)
+                  .second > 2.0 * this->Options.BoundaryTolerance * size
             ? 1
             : 0;
         }
