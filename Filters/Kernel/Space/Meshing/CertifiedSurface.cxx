@@ -52,6 +52,7 @@ public:
     , Tree(result.Tree)
     , Boundary(result.Boundary)
     , Asked(result.AskedVertices)
+    , RoundsForFar(result.RoundsForFar)
     , Problems(problems)
     , Beats(monitor)
   {
@@ -94,8 +95,7 @@ public:
       before = isDropped ? std::numeric_limits<std::size_t>::max() : faults;
     }
     for (int round = 0;
-         round < this->Whole.RoundsForFar && isDone && this->MayGoOn() && this->BiteWhereFar();
-         ++round)
+         round < this->RoundsForFar && isDone && this->MayGoOn() && this->BiteWhereFar(); ++round)
     {
     }
     return isDone && this->IsCertified() && this->MayGoOn();
@@ -506,6 +506,7 @@ private:
   BoxTree<SurfaceItem, 3>& Tree;
   SurfaceBoundary& Boundary;
   double& Asked;
+  const int RoundsForFar;
   ProblemList& Problems;
   Pulse Beats;
 };
