@@ -291,7 +291,7 @@ void AddJumpsOutside(const TriangleInterpolator& source, const std::vector<doubl
     edgeTo[static_cast<std::size_t>(edge.EndId)] = &edge;
   }
   BorderRays rays(source, most, rule, edges);
-  for (std::size_t k = 0; k < border.size() && pulse.Beat(64); ++k)
+  for (std::size_t k = 0; k < border.size() && pulse.Beat(256); ++k)
   {
     const BorderEdge& edge = border[k];
     rays.ListFrom(edge, *edgeTo[static_cast<std::size_t>(edge.StartId)],
