@@ -3,7 +3,6 @@
 
 #include "SurfaceBites.h"
 
-#include "../../Base/Numbers.h"
 #include "ChainDivision.h"
 
 #include <algorithm> // for find, max, min
@@ -202,13 +201,6 @@ private:
     return Dot(apart, apart);
   }
 
-  /// Whether the edge of the slot is no farther from the place.
-  bool IsNear(std::size_t slot, const Point3& place, double distance2) const
-  {
-    const Point3 apart = this->Ground.Mesh.At(NextSlotOf(slot)) - place;
-    return Dot(apart, apart) <= distance2 || this->Distance2(slot, place) <= distance2;
-  }
-
   /// Walks from Front over what the bite takes; the candidates on its sphere go into the queue.
   void Take(Id bite)
   {
@@ -234,7 +226,7 @@ private:
       {
         const Id across = this->Ground.Across[slot];
         const bool isSeen = across != NoId && this->Seen[At(across / 3)] == bite;
-        if (!isSeen && this->IsNear(slot, center, radius2))
+        if (!isSeen && this->Distance2(slot, center) <= radius2)
         {
           this->GoAcross(bite, slot);
         }
@@ -332,7 +324,7 @@ private:
     for (const Id near : this->Near)
     {
       PlaneDisk other{};
-      if (this->MayMeet(bite, near, plane) && this->DiskOf(near, plane, other))
+      if (this->DiskOf(near, plane, other))
       {
         this->MeetDisk(own, other, plane, triangle);
       }
@@ -345,28 +337,6 @@ private:
     const Point3 way = this->Bites.Centers[At(b)] - this->Bites.Centers[At(a)];
     const double reach = Beyond * (this->Bites.Radii[At(a)] + this->Bites.Radii[At(b)]);
     return Dot(way, way) > reach * reach;
-  }
-
-  /// False where all corners are on one side of the plane in which the spheres meet.
-  bool MayMeet(Id a, Id b, const GroundPlane& plane) const
-  {
-    constexpr double Beyond = 1e-6; // candidates may be beside the triangle
-    const double least = Beyond * this->Bites.Radii[At(a)] * this->Bites.Radii[At(b)];
-    double low = Infinity;
-    double high = -Infinity;
-    for (const Point3& corner : plane.Corners)
-    {
-      const double difference = this->PowerOf(a, corner) - this->PowerOf(b, corner);
-      low = std::min(low, difference);
-      high = std::max(high, difference);
-    }
-    return low <= least && high >= -least;
-  }
-
-  double PowerOf(Id bite, const Point3& place) const
-  {
-    const Point3 apart = place - this->Bites.Centers[At(bite)];
-    return Dot(apart, apart) - this->Bites.Radii[At(bite)] * this->Bites.Radii[At(bite)];
   }
 
   bool DiskOf(Id bite, const GroundPlane& plane, PlaneDisk& disk) const

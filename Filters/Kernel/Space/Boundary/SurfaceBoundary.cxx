@@ -148,25 +148,6 @@ private:
     return { this->Cells.PointAt(vertex), this->Cells.WeightAt(vertex) };
   }
 
-  /// Does step(cell) for all tetrahedra, on all threads.
-  template <typename Step>
-  void ForCells(const Step& step)
-  {
-    constexpr std::size_t CheapSteps = 31;
-    const TetMesh& mesh = this->Cells;
-    ForRowsAtOnce(this->Beats, At(mesh.NumberOfSlots()), CheapSteps,
-      [&mesh, &step](std::size_t begin, std::size_t end)
-      {
-        for (Id cell = static_cast<Id>(begin); cell < static_cast<Id>(end); ++cell)
-        {
-          if (mesh.IsTetrahedron(cell))
-          {
-            step(cell);
-          }
-        }
-      });
-  }
-
   /// The power center of a tetrahedron.
   Point3 CenterOf(Id cell) const
   {
@@ -177,14 +158,21 @@ private:
 
   void LabelCells()
   {
+    constexpr std::size_t CheapSteps = 31;
     const InsideTest test(this->Input, this->Ground.Sides, this->Tree);
     this->Labels.assign(At(this->Cells.NumberOfSlots()), 0);
-    this->ForCells(
-      [this, &test](Id cell)
+    ForRowsAtOnce(this->Beats, this->Labels.size(), CheapSteps,
+      [this, &test](std::size_t begin, std::size_t end)
       {
-        const Point3 center = this->CenterOf(cell);
-        const Id label = this->LabelByNormals(cell, center);
-        this->Labels[At(cell)] = label != NoId ? label : test.LabelAt(center);
+        for (Id cell = static_cast<Id>(begin); cell < static_cast<Id>(end); ++cell)
+        {
+          if (this->Cells.IsTetrahedron(cell))
+          {
+            const Point3 center = this->CenterOf(cell);
+            const Id label = this->LabelByNormals(cell, center);
+            this->Labels[At(cell)] = label != NoId ? label : test.LabelAt(center);
+          }
+        }
       });
   }
 
@@ -310,8 +298,8 @@ private:
   }
 
   /// Takes the facets of tetrahedra for which isWall(facet), in their order: put(facet, place).
-  template <typename Question, typename Put>
-  void TakeFacets(const Question& isWall, const Put& put)
+  template <typename Question, typename Step>
+  void TakeFacets(const Question& isWall, const Step& put)
   {
     constexpr std::size_t CellsPerTask = 512;
     const TetMesh& mesh = this->Cells;
@@ -366,15 +354,12 @@ private:
   /// edge near the surface, of which each place is nearer to a bite.
   bool IsSmall(Id facet) const
   {
-    const double most = 2.0 * this->ReachOf(facet);
-    bool isSmall = true;
-    for (int k = 0; k < 3; ++k)
+    const auto side = [this, facet](int a, int b)
     {
-      const Point3& corner = this->Cells.PointAt(this->Cells.FacetCorner(facet, k));
-      const Point3& next = this->Cells.PointAt(this->Cells.FacetCorner(facet, (k + 1) % 3));
-      isSmall = isSmall && Distance(corner, next) <= most;
-    }
-    return isSmall;
+      return Distance(this->Cells.PointAt(this->Cells.FacetCorner(facet, a)),
+        this->Cells.PointAt(this->Cells.FacetCorner(facet, b)));
+    };
+    return std::max(std::max(side(0, 1), side(1, 2)), side(2, 0)) <= 2.0 * this->ReachOf(facet);
   }
 
   /// It begins at the centre of the cell of the facet.
