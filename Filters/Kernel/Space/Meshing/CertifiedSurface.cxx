@@ -432,27 +432,27 @@ private:
   /// of the given f. Whether there are any, and the certificates hold again; else all stays.
   bool BiteWhereFar()
   {
+    constexpr std::int64_t MostGrowth = 4; // half of f makes four times the vertices
     const std::vector<Id> far = this->FindFar();
-    if (far.empty() || 2 * this->Bites.Size() > this->Options.MaximumNumberOfVertices)
+    if (far.empty() || MostGrowth * this->Bites.Size() > this->Options.MaximumNumberOfVertices)
     {
       return false;
     }
-    const SurfaceGround ground = this->Ground;
-    const SurfaceBites bites = this->Bites;
-    const SurfaceBoundary boundary = this->Boundary;
+    SurfaceGround ground = this->Ground;
     for (const Id bite : far)
     {
       this->LowerAt(bite);
     }
     this->Regrade();
+    SurfaceBites bites = std::move(this->Bites);
+    SurfaceBoundary boundary = std::move(this->Boundary);
     this->Bite();
     const bool isBetter = this->Boundary.Offences.empty();
     if (!isBetter)
     {
-      this->Ground = ground;
-      this->Bites = bites;
-      this->Boundary = boundary;
-      this->Tree = MakeSurfaceTree(this->Ground.Mesh, this->Beats);
+      this->Ground = std::move(ground);
+      this->Bites = std::move(bites);
+      this->Boundary = std::move(boundary);
     }
     return isBetter;
   }
