@@ -156,7 +156,8 @@ private:
       0.5 * (first.Value + last.Value),
       std::min(first.Most, last.Most) + 0.5 * this->Rule.Slope * base };
     this->Cast(middle, std::max(first.Length, last.Length));
-    const bool isNeeded = this->IsNeeded(first) || this->IsNeeded(middle) || this->IsNeeded(last);
+    const bool isNeeded = this->IsNeeded(first) || this->IsNeeded(middle) || this->IsNeeded(last) ||
+      first.IsUseful != middle.IsUseful || middle.IsUseful != last.IsUseful;
     if (divisions > 0 && !isNeeded)
     {
       return;
@@ -169,7 +170,7 @@ private:
     const bool isAlike = std::abs(last.Value - first.Value) <= 2.0 * Slight * least;
     const bool isFine = first.IsUseful == last.IsUseful
       ? width <= this->ShareOf(least, WidthOfPart) && this->AreOnChord(first, middle, last)
-      : isAlike && base <= this->ShareOf(least, LargestSag);
+      : isAlike && width <= this->ShareOf(least, LargestSag);
     if (isFine || divisions == MostDivisions)
     {
       this->AddChord(first, middle);
@@ -193,16 +194,21 @@ private:
           Length(chord.From(end).Away) <= this->ShareOf(middle.Value, LargestSag)));
   }
 
+  /// Where one of the rays is of no use, the other one in place of the chord.
   void AddChord(const Ray& first, const Ray& last)
   {
-    const Ray& start = first.IsUseful ? first : last;
-    const Ray& end = last.IsUseful ? last : first;
-    const double rise = end.Value - start.Value;
-    const bool isSteep = std::abs(rise) > this->Rule.Slope * Distance(start.End(), end.End());
-    const Ray& low = rise > 0.0 ? start : end;
-    if ((this->IsNeeded(first) || this->IsNeeded(last)) && (!isSteep || low.Length > 0.0))
+    if (first.IsUseful != last.IsUseful)
     {
-      this->Edges.Add(start.End(), end.End(), start.Value, end.Value);
+      const Ray& ray = first.IsUseful ? first : last;
+      this->Edges.Add(ray.Start, ray.End(), ray.Value, ray.Value);
+      return;
+    }
+    const double rise = last.Value - first.Value;
+    const bool isSteep = std::abs(rise) > this->Rule.Slope * Distance(first.End(), last.End());
+    if ((this->IsNeeded(first) || this->IsNeeded(last)) &&
+      (!isSteep || (rise > 0.0 ? first : last).Length > 0.0))
+    {
+      this->Edges.Add(first.End(), last.End(), first.Value, last.Value);
     }
   }
 
