@@ -5,7 +5,7 @@
 #include "TriangleInterpolator.h"
 
 #include <array> // for neighbors
-#include <cmath> // for abs
+#include <cmath> // for abs, sqrt
 
 namespace biting
 {
@@ -81,7 +81,12 @@ public:
     if (Cross(outward, turned.Direction) > 0.0)
     {
       this->Cast(turned, last.Length);
-      this->Divide(last, turned, 0);
+      this->Turn(last, 1.0, turned.Direction);
+      this->Turn(turned, -1.0, last.Direction);
+      if (Cross(last.Direction, turned.Direction) > 0.0)
+      {
+        this->Divide(last, turned, 0);
+      }
     }
   }
 
@@ -123,6 +128,32 @@ private:
     ray.Other = ray.Value;
     ray.IsUseful = (inner.Value - ray.Most) * Length(along + across) <
       2.0 * this->Rule.Slope * Distance(ray.Start, inner.Start);
+  }
+
+  /// Turns a ray to a side, past the places at which it ends while it is of no use, but not past
+  /// another direction.
+  void Turn(Ray& ray, double side, const Point2& other)
+  {
+    for (int k = 0; k < MostDivisions && !ray.IsUseful && side * Cross(ray.Direction, other) > 0.0;
+         ++k)
+    {
+      const NearestValue found = this->NearerAt(ray);
+      const Point2 way = found.Foot - ray.Start;
+      if (found.Edge == nullptr || !(Length(way) > 0.0))
+      {
+        return;
+      }
+      const double share = std::min(0.5 * Length(way) / this->LeastLength(ray), 1.0);
+      ray.Direction = (1.0 / Length(way)) *
+        (share * way + side * std::sqrt(1.0 - share * share) * Perpendicular(way));
+      this->Cast(ray, 0.0);
+    }
+  }
+
+  /// From where on a ray is of use.
+  double LeastLength(const Ray& ray) const
+  {
+    return (ray.Value - ray.Most) / this->Rule.Slope + this->ShareOf(ray.Value, ShortRay);
   }
 
   /// Of a part of an edge.
@@ -224,7 +255,7 @@ private:
       const double length = LengthTo(neighbor, ray);
       most = length > 0.0 ? std::min(most, 1.01 * length) : most;
     }
-    const double below = (own - ray.Most) / this->Rule.Slope + this->ShareOf(own, ShortRay);
+    const double below = this->LeastLength(ray);
     ray.Other = own;
     ray.IsUseful = false;
     ray.Length = std::min(std::max(this->ShareOf(own, ShortRay), below), most);
