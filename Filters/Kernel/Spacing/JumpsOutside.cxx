@@ -31,6 +31,7 @@ struct Ray
   double Most = 0.0;     ///< what bounds f there
   double Length = 0.0;   ///< an upper bound where it is of no use
   double Other = 0.0;    ///< the value at the other place; Value where there is none
+  Point2 Foot = Start;   ///< the other place; Start where there is none
   bool IsUseful = false; ///< limits f somewhere
 
   Point2 End() const { return this->Start + this->Length * this->Direction; }
@@ -81,12 +82,9 @@ public:
     if (Cross(outward, turned.Direction) > 0.0)
     {
       this->Cast(turned, last.Length);
-      this->Turn(last, 1.0, turned.Direction);
-      this->Turn(turned, -1.0, last.Direction);
-      if (Cross(last.Direction, turned.Direction) > 0.0)
-      {
-        this->Divide(last, turned, 0);
-      }
+      this->Turn(last, turned, 1.0);
+      this->Turn(turned, last, -1.0);
+      this->Divide(last, turned, 0);
     }
   }
 
@@ -130,23 +128,26 @@ private:
       2.0 * this->Rule.Slope * Distance(ray.Start, inner.Start);
   }
 
-  /// Turns a ray to a side, past the places at which it ends while it is of no use, but not past
-  /// another direction.
-  void Turn(Ray& ray, double side, const Point2& other)
+  /// Turns a ray towards another one past the places where it ends, each time until it may be far
+  /// longer, and lists the curve in between.
+  void Turn(Ray& ray, const Ray& other, double side)
   {
-    for (int k = 0; k < MostDivisions && !ray.IsUseful && side * Cross(ray.Direction, other) > 0.0;
-         ++k)
+    constexpr double Growth = 4.0;
+    for (int k = 0; k < MostDivisions; ++k)
     {
-      const NearestValue found = this->NearerAt(ray);
-      const Point2 way = found.Foot - ray.Start;
-      if (found.Edge == nullptr || !(Length(way) > 0.0))
+      const Point2 way = ray.Foot - ray.Start;
+      const double length = ray.IsUseful ? Growth * ray.Length : this->LeastLength(ray);
+      const double share = std::min(0.5 * Length(way) / length, 1.0);
+      Ray next = ray;
+      next.Direction = (1.0 / Length(way)) *
+        (share * way + side * std::sqrt(1.0 - share * share) * Perpendicular(way));
+      if (!(side * Cross(next.Direction, other.Direction) > 0.0))
       {
         return;
       }
-      const double share = std::min(0.5 * Length(way) / this->LeastLength(ray), 1.0);
-      ray.Direction = (1.0 / Length(way)) *
-        (share * way + side * std::sqrt(1.0 - share * share) * Perpendicular(way));
-      this->Cast(ray, 0.0);
+      this->Cast(next, ray.Length);
+      this->Divide(ray, next, 0);
+      ray = next;
     }
   }
 
@@ -249,11 +250,16 @@ private:
   void Cast(Ray& ray, double likely)
   {
     const double own = ray.Value;
+    ray.Foot = ray.Start;
     double most = Distance(ray.Start, this->Rule.Bounds.Center()) + this->Rule.Bounds.Diagonal();
     for (const Point2& neighbor : this->Neighbors)
     {
       const double length = LengthTo(neighbor, ray);
-      most = length > 0.0 ? std::min(most, 1.01 * length) : most;
+      if (length > 0.0 && 1.01 * length < most)
+      {
+        most = 1.01 * length;
+        ray.Foot = neighbor;
+      }
     }
     const double below = this->LeastLength(ray);
     ray.Other = own;
@@ -264,6 +270,7 @@ private:
       return;
     }
     NearestValue found = this->NearerAt(ray);
+    ray.Foot = found.Edge != nullptr ? found.Foot : ray.Foot;
     ray.IsUseful = ray.Length > below || found.Edge == nullptr;
     for (double next = likely; found.Edge == nullptr && ray.Length < most; next = 4.0 * ray.Length)
     {
@@ -273,6 +280,7 @@ private:
     for (bool isLast = !ray.IsUseful; found.Edge != nullptr && !isLast;)
     {
       ray.Other = found.Value;
+      ray.Foot = found.Foot;
       const double length = std::max(LengthTo(found.Foot, ray), 0.0);
       const double lower = std::min(own, found.Value);
       // Where rounding leaves the ball as it was, it is the last one, too.
