@@ -5,7 +5,7 @@
 #include "TriangleInterpolator.h"
 
 #include <array> // for neighbors
-#include <cmath> // for abs
+#include <cmath> // for abs, sqrt
 
 namespace biting
 {
@@ -31,6 +31,7 @@ struct Ray
   double Most = 0.0;     ///< what bounds f there
   double Length = 0.0;   ///< an upper bound where it is of no use
   double Other = 0.0;    ///< the value at the other place; Value where there is none
+  Point2 Foot = Start;   ///< the other place; Start where there is none
   bool IsUseful = false; ///< limits f somewhere
 
   Point2 End() const { return this->Start + this->Length * this->Direction; }
@@ -81,6 +82,8 @@ public:
     if (Cross(outward, turned.Direction) > 0.0)
     {
       this->Cast(turned, last.Length);
+      this->Turn(last, turned, 1.0);
+      this->Turn(turned, last, -1.0);
       this->Divide(last, turned, 0);
     }
   }
@@ -123,6 +126,35 @@ private:
     ray.Other = ray.Value;
     ray.IsUseful = (inner.Value - ray.Most) * Length(along + across) <
       2.0 * this->Rule.Slope * Distance(ray.Start, inner.Start);
+  }
+
+  /// Turns a ray towards another one past the places where it ends, each time until it may be far
+  /// longer, and lists the curve in between.
+  void Turn(Ray& ray, const Ray& other, double side)
+  {
+    constexpr double Growth = 4.0;
+    for (int k = 0; k < MostDivisions; ++k)
+    {
+      const Point2 way = ray.Foot - ray.Start;
+      const double length = ray.IsUseful ? Growth * ray.Length : this->LeastLength(ray);
+      const double share = std::min(0.5 * Length(way) / length, 1.0);
+      Ray next = ray;
+      next.Direction = (1.0 / Length(way)) *
+        (share * way + side * std::sqrt(1.0 - share * share) * Perpendicular(way));
+      if (!(side * Cross(next.Direction, other.Direction) > 0.0))
+      {
+        return;
+      }
+      this->Cast(next, ray.Length);
+      this->Divide(ray, next, 0);
+      ray = next;
+    }
+  }
+
+  /// From where on a ray is of use.
+  double LeastLength(const Ray& ray) const
+  {
+    return (ray.Value - ray.Most) / this->Rule.Slope + this->ShareOf(ray.Value, ShortRay);
   }
 
   /// Of a part of an edge.
@@ -218,13 +250,18 @@ private:
   void Cast(Ray& ray, double likely)
   {
     const double own = ray.Value;
+    ray.Foot = ray.Start;
     double most = Distance(ray.Start, this->Rule.Bounds.Center()) + this->Rule.Bounds.Diagonal();
     for (const Point2& neighbor : this->Neighbors)
     {
       const double length = LengthTo(neighbor, ray);
-      most = length > 0.0 ? std::min(most, 1.01 * length) : most;
+      if (length > 0.0 && 1.01 * length < most)
+      {
+        most = 1.01 * length;
+        ray.Foot = neighbor;
+      }
     }
-    const double below = (own - ray.Most) / this->Rule.Slope + this->ShareOf(own, ShortRay);
+    const double below = this->LeastLength(ray);
     ray.Other = own;
     ray.IsUseful = false;
     ray.Length = std::min(std::max(this->ShareOf(own, ShortRay), below), most);
@@ -233,6 +270,7 @@ private:
       return;
     }
     NearestValue found = this->NearerAt(ray);
+    ray.Foot = found.Edge != nullptr ? found.Foot : ray.Foot;
     ray.IsUseful = ray.Length > below || found.Edge == nullptr;
     for (double next = likely; found.Edge == nullptr && ray.Length < most; next = 4.0 * ray.Length)
     {
@@ -242,6 +280,7 @@ private:
     for (bool isLast = !ray.IsUseful; found.Edge != nullptr && !isLast;)
     {
       ray.Other = found.Value;
+      ray.Foot = found.Foot;
       const double length = std::max(LengthTo(found.Foot, ray), 0.0);
       const double lower = std::min(own, found.Value);
       // Where rounding leaves the ball as it was, it is the last one, too.
