@@ -179,6 +179,7 @@ set(biting_kernel_sources
   Space/Finishing/CellChange.cxx
   Space/Finishing/EdgeRemoval.cxx
   Space/Finishing/GroundNormals.cxx
+  Space/Finishing/LinePieces.cxx
   Space/Finishing/VertexMoves.cxx
   Space/Meshing/BodyCells.cxx
   Space/Meshing/BodyCheck.cxx

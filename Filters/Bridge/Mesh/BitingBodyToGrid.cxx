@@ -86,7 +86,8 @@ std::string BitingBodyToGrid(BitingBody& body, const CheckedSurface& surface,
   AddArray<vtkUnsignedCharArray>(pointData, "VertexKind", KindsOf(body), pulse);
   AddArray<vtkIdTypeArray>(pointData, "OriginalPointId", body.OriginalPoints, pulse);
   AddArray<vtkIdTypeArray>(mesh->GetCellData(), "RegionId", body.Regions, pulse);
-  ReleaseInSteps(pulse, measured.Points, body.BiteOrders, body.OriginalPoints, body.Regions);
+  const std::size_t vertices = measured.Points.size();
+  ReleaseInSteps(pulse, measured.Points, body.BiteOrders, body.OriginalPoints);
   measured.Write(mesh);
   vtkFieldData* figures = mesh->GetFieldData();
   for (const char* name : { "EulerNumber", "LargestDeviation" })
@@ -102,8 +103,7 @@ std::string BitingBodyToGrid(BitingBody& body, const CheckedSurface& surface,
   text << volume
        << "\nEuler number of the boundary: " << figures->GetArray("EulerNumber")->GetComponent(0, 0)
        << "\n";
-  return measured.Summary() + text.str() +
-    CapsText(body.Boundary.AskedVertices, body.Points.size());
+  return measured.Summary() + text.str() + CapsText(body.Boundary.AskedVertices, vertices);
 }
 
 } // namespace biting

@@ -101,7 +101,7 @@ private:
   std::vector<Branch> SplitAll(
     const std::vector<Branch>& branches, std::vector<Entry>& entries, Pulse& pulse);
   void Graft(const Branch& branch, const std::vector<Node>& nodes);
-  void Order(std::vector<Entry>& entries);
+  void Order(std::vector<Entry>& entries, Pulse& pulse);
   static Node Enclose(const Branch& branch, const std::vector<Entry>& entries);
   static void Halve(const Branch& branch, const biting::Box<D>& box, std::vector<Entry>& entries);
   static void BuildBelow(
@@ -125,20 +125,21 @@ BoxTree<Item, D>::BoxTree(std::vector<Item> items, Pulse& pulse)
       entries[i] = { items[i].Box(), items[i].Least(), static_cast<Id>(i) };
     });
   this->Build(entries, pulse);
+  this->Ordered = std::move(items);
+  this->Order(entries, pulse);
   if (pulse.HasStopped())
   {
-    this->Nodes.clear(); // the entries may not all be there
-    return;
+    this->Nodes.clear();
+    this->Ordered.clear();
   }
-  this->Ordered = std::move(items);
-  this->Order(entries);
 }
 
 /// Item i becomes item entries[i].Number: cycle by cycle, in place.
 template <typename Item, std::size_t D>
-void BoxTree<Item, D>::Order(std::vector<Entry>& entries)
+void BoxTree<Item, D>::Order(std::vector<Entry>& entries, Pulse& pulse)
 {
-  for (std::size_t first = 0; first < entries.size(); ++first)
+  // Of a stopped pulse the entries may not all be there.
+  for (std::size_t first = 0; first < entries.size() && pulse.Beat(1); ++first)
   {
     std::size_t place = first;
     for (auto from = static_cast<std::size_t>(entries[place].Number); from != first;

@@ -83,8 +83,8 @@ private:
 
   /// Follows the fan from each facet at the bite; all of them must come in one turn, but at corners
   /// without pieces, which are pinches of the surface. At a vertex of features that is asked of
-  /// solids only in all, and for other edges than pieces; pieces that turn have two facets, those of
-  /// borders one.
+  /// solids only in all, and for other edges than pieces. Pieces that turn have two facets, pieces
+  /// of borders one.
   void CheckFan(Id bite)
   {
     const Id* begin = this->FacetsAt.Begin(bite);

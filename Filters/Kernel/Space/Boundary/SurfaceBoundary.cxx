@@ -277,14 +277,25 @@ private:
   void TakeMeetings()
   {
     const TetMesh& mesh = this->Cells;
+    // A facet with a longer side has no dual edge near the surface, of which each place is nearer
+    // to a bite.
+    const auto isSmall = [this, &mesh](Id facet)
+    {
+      const auto side = [&mesh, facet](int a, int b)
+      {
+        return Distance(
+          mesh.PointAt(mesh.FacetCorner(facet, a)), mesh.PointAt(mesh.FacetCorner(facet, b)));
+      };
+      return std::max(std::max(side(0, 1), side(1, 2)), side(2, 0)) <= 2.0 * this->ReachOf(facet);
+    };
     this->TakeFacets(
-      [this, &mesh](Id facet)
+      [this, &mesh, &isSmall](Id facet)
       {
         const Id twin = mesh.Twins[At(facet)];
         const auto isOfFrame = [this, &mesh, facet](int k)
         { return this->BiteOf[At(mesh.FacetCorner(facet, k))] == NoId; };
         return !isOfFrame(0) && !isOfFrame(1) && !isOfFrame(2) &&
-          (facet < twin || mesh.IsGhost(TetMesh::CellOf(twin))) && this->IsSmall(facet) &&
+          (facet < twin || mesh.IsGhost(TetMesh::CellOf(twin))) && isSmall(facet) &&
           this->Meet(this->DualOf(facet)).Count % 2 == 1;
       },
       [this](Id facet, std::size_t place)
@@ -348,18 +359,6 @@ private:
       reach = std::max(reach, 1.5 * this->Bites.Sizes[At(bite)]);
     }
     return reach;
-  }
-
-  /// Whether all sides are shorter than the diameter of a ball of that radius. Others have no dual
-  /// edge near the surface, of which each place is nearer to a bite.
-  bool IsSmall(Id facet) const
-  {
-    const auto side = [this, facet](int a, int b)
-    {
-      return Distance(this->Cells.PointAt(this->Cells.FacetCorner(facet, a)),
-        this->Cells.PointAt(this->Cells.FacetCorner(facet, b)));
-    };
-    return std::max(std::max(side(0, 1), side(1, 2)), side(2, 0)) <= 2.0 * this->ReachOf(facet);
   }
 
   /// It begins at the centre of the cell of the facet.

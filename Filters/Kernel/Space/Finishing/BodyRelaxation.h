@@ -44,11 +44,11 @@ struct RelaxedBody
 };
 
 /// Makes its tetrahedra better: vertices of thin facets are merged; vertices move to where the
-/// errors of interpolation are least (ODT, density of f), those on the boundary on the ground; flips
-/// and the removal of edges take slivers away; then the vertices of the worst tetrahedra move by
-/// trial, those on lines along their chains. Around angles that stay below 31 degrees also the other
-/// tetrahedra are improved, vertices are merged with neighbors or inserted, on the boundary too.
-/// Vertices stay sorted by kind; inserted ones come last of theirs.
+/// errors of interpolation are least (ODT, density of f), those on the boundary on the ground;
+/// flips and the removal of edges take slivers away; then the vertices of the worst tetrahedra move
+/// by trial, those on lines along their chains. Around angles that stay below 31 degrees also the
+/// other tetrahedra are improved, vertices are merged with neighbors or inserted, on the boundary
+/// too. Vertices stay sorted by kind; inserted ones come last of theirs.
 /// Laws: no step makes the worst dihedral angle of the tetrahedra that it changes worse, unless all
 /// stay above 35 degrees; tetrahedra stay positive, exactly; the boundary stays closed, of the same
 /// topology and within its patches, as near to the ground as GroundNormals says; pieces cover the

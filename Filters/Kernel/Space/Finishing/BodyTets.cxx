@@ -3,7 +3,7 @@
 
 #include "BodyTets.h"
 
-#include <algorithm> // for copy, fill_n, find_if, replace, sort
+#include <algorithm> // for copy, fill_n, sort
 #include <utility>   // for move
 
 namespace biting
@@ -11,10 +11,10 @@ namespace biting
 
 BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
   : Body(body)
+  , Lines(body)
+  , Kinds(body.Points.size(), Kind::Inside)
   , NumberOfGiven(static_cast<Id>(body.Points.size()))
   , FacetSlots(2 * body.FacetPlaces.size(), NoId)
-  , Kinds(body.Points.size(), Kind::Inside)
-  , LinePieces(At(body.NumberOnLines))
 {
   this->Mesh.Points = std::move(body.Points);
   this->Mesh.Corners = std::move(body.Corners);
@@ -23,10 +23,6 @@ BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
   this->Mesh.VertexCells.assign(this->Mesh.Points.size(), NoId);
   std::fill_n(this->Kinds.begin(), body.NumberOnBoundary, Kind::OnPatch);
   std::fill_n(this->Kinds.begin(), body.NumberOnLines, Kind::OnLine);
-  for (std::size_t k = 0; k < body.PieceEnds.size(); ++k)
-  {
-    this->LinePieces[At(body.PieceEnds[k])].push_back(static_cast<Id>(k / 2));
-  }
   this->Touched.assign(this->Mesh.Points.size(), 0);
   this->TriedMoves.assign(this->Mesh.Points.size(), 0);
   this->NumberOfMoves.assign(this->Mesh.Points.size(), 0);
@@ -98,48 +94,6 @@ Id BodyTets::Across(Id slot) const
   }
   const Id* halves = &this->FacetSlots[At(2 * this->RecordOf(slot))];
   return halves[0] == slot ? halves[1] : halves[0];
-}
-
-Id BodyTets::PieceBetween(Id a, Id b) const
-{
-  if (!this->IsOnLine(a) || !this->IsOnLine(b))
-  {
-    return NoId;
-  }
-  const std::vector<Id>& pieces = this->LinePieces[At(a)];
-  const auto piece = std::find_if(
-    pieces.begin(), pieces.end(), [this, a, b](Id k) { return this->OtherEnd(k, a) == b; });
-  return piece == pieces.end() ? NoId : *piece;
-}
-
-std::array<Id, 2> BodyTets::PiecesAt(Id vertex) const
-{
-  const std::vector<Id>& chains = this->Body.PieceChains;
-  if (vertex < this->Body.NumberOfCorners || chains.empty() || !this->IsOnLine(vertex))
-  {
-    return { NoId, NoId };
-  }
-  const std::vector<Id>& pieces = this->LinePieces[At(vertex)];
-  const bool isOne = pieces.size() == 2 && chains[At(pieces[0])] == chains[At(pieces[1])];
-  return isOne ? std::array<Id, 2>{ pieces[0], pieces[1] } : std::array<Id, 2>{ NoId, NoId };
-}
-
-Id BodyTets::OtherEnd(Id piece, Id vertex) const
-{
-  const Id* ends = &this->Body.PieceEnds[At(2 * piece)];
-  return ends[0] == vertex ? ends[1] : ends[0];
-}
-
-void BodyTets::JoinPieces(Id vertex, Id gone)
-{
-  const Id end = this->OtherEnd(gone, vertex);
-  const std::vector<Id>& own = this->LinePieces[At(vertex)];
-  const Id kept = own[0] == gone ? own[1] : own[0];
-  std::vector<Id>& pieces = this->LinePieces[At(end)];
-  std::replace(pieces.begin(), pieces.end(), gone, kept);
-  Id* ends = &this->Body.PieceEnds[At(2 * kept)];
-  std::replace(ends, ends + 2, vertex, end);
-  this->Body.PieceEnds[At(2 * gone)] = NoId;
 }
 
 const std::vector<Id>& BodyTets::StarOf(Id vertex)
@@ -240,34 +194,11 @@ std::vector<Id> BodyTets::GiveBackFacets()
   return numbers;
 }
 
-/// Pieces that are gone leave the list.
-void BodyTets::GiveBackPieces(const std::vector<Id>& numbers)
-{
-  std::vector<Id>& ends = this->Body.PieceEnds;
-  std::vector<Id>& chains = this->Body.PieceChains;
-  std::size_t kept = 0;
-  for (std::size_t piece = 0; piece < ends.size() / 2; ++piece)
-  {
-    if (ends[2 * piece] != NoId)
-    {
-      ends[2 * kept] = numbers[At(ends[2 * piece])];
-      ends[2 * kept + 1] = numbers[At(ends[2 * piece + 1])];
-      if (!chains.empty())
-      {
-        chains[kept] = chains[piece];
-      }
-      ++kept;
-    }
-  }
-  ends.resize(2 * kept);
-  chains.resize(chains.empty() ? 0 : kept);
-}
-
 void BodyTets::GiveBack()
 {
   const std::vector<Id> records = this->GiveBackFacets();
   const std::vector<Id> numbers = this->DropUnused();
-  this->GiveBackPieces(numbers);
+  this->Lines.GiveBack(numbers);
   for (Id& corner : this->Body.Facets)
   {
     corner = numbers[At(corner)];

@@ -8,6 +8,7 @@
 #include "../Delaunay/TetMesh.h"
 #include "../Surface/SurfaceMesh.h"
 #include "BodyRelaxation.h"
+#include "LinePieces.h"
 #include "TetShape.h"
 
 #include <array>   // for corners
@@ -42,9 +43,6 @@ public:
   /// A vertex of no cell as yet.
   Id AddVertex(Kind kind, const Point3& place, double size);
 
-  bool IsOnLine(Id vertex) const { return this->Kinds[At(vertex)] == Kind::OnLine; }
-  bool IsInside(Id vertex) const { return this->Kinds[At(vertex)] == Kind::Inside; }
-
   /// A record for a part of the facet of another one.
   Id AddRecord(Id other);
 
@@ -72,17 +70,6 @@ public:
   Id RecordOf(Id slot) const { return RelaxedBody::CodeOf(this->Mesh.Twins[At(slot)]); }
   bool IsInterface(Id record) const { return this->FacetSlots[At(2 * record + 1)] != NoId; }
 
-  /// The piece between two vertices, or NoId.
-  Id PieceBetween(Id a, Id b) const;
-  bool IsKept(Id a, Id b) const { return this->PieceBetween(a, b) != NoId; }
-
-  /// The two pieces of one chain at a vertex that is no corner; else NoId.
-  std::array<Id, 2> PiecesAt(Id vertex) const;
-  Id OtherEnd(Id piece, Id vertex) const;
-
-  /// Makes one piece of the two at a vertex: `gone`, whose other end gets the other piece.
-  void JoinPieces(Id vertex, Id gone);
-
   double BadnessOf(const Tetrahedron& t) const
   {
     return TetShape(this->Mesh.PointAt(t[0]), this->Mesh.PointAt(t[1]), this->Mesh.PointAt(t[2]),
@@ -103,7 +90,9 @@ public:
   }
 
   RelaxedBody& Body;
+  LinePieces Lines;
   TetMesh Mesh;
+  std::vector<Kind> Kinds;     ///< of vertices
   std::vector<double> Badness; ///< of cells
 
   // Times: of the last change of a cell at a vertex; of the last vain attempt to move a vertex, or
@@ -121,15 +110,12 @@ private:
   std::vector<Id> DropUnused();
   void DropFree(const std::vector<Id>& numbers, const std::vector<Id>& records);
   std::vector<Id> GiveBackFacets();
-  void GiveBackPieces(const std::vector<Id>& numbers);
   void ResizeCells();
   std::array<Id, 3> SortedCorners(Id slot) const;
   void Attach(Id record, Id half, Id slot);
 
   Id NumberOfGiven;           ///< vertices
   std::vector<Id> FacetSlots; ///< two a record: of the cells on its sides, NoId beyond the boundary
-  std::vector<Kind> Kinds;    ///< of vertices
-  std::vector<std::vector<Id>> LinePieces; ///< of vertices on lines
   std::vector<Id> Star;
   std::vector<std::uint32_t> Stamps; ///< of cells
   std::uint32_t Stamp = 0;

@@ -11,6 +11,17 @@
 namespace biting
 {
 
+namespace
+{
+
+/// f at the middle of an edge.
+double MeanSize(const BodyTets& tets, Id a, Id b)
+{
+  return 0.5 * (tets.Body.Sizes[At(a)] + tets.Body.Sizes[At(b)]);
+}
+
+} // namespace
+
 bool EdgeRemoval::Improve(Id cell)
 {
   std::uint32_t touched = 0;
@@ -85,7 +96,7 @@ bool EdgeRemoval::FindLinks(Id cell, std::size_t edge)
   this->B = corner(1);
   Id p = corner(2);
   Id q = corner(3);
-  if (this->Tets.IsKept(this->A, this->B))
+  if (this->Tets.Lines.Between(this->A, this->B) != NoId)
   {
     return false;
   }
@@ -257,7 +268,7 @@ bool EdgeRemoval::FlipFacets()
   const Id b = this->B;
   const bool isInCell =
     this->Links[0].Size == 2 || (this->NumberOfLinks == 2 && this->Links[1].Size == 2);
-  if (this->Tets.IsKept(p, q) || !this->IsNewEdge(p, q, isInCell) ||
+  if (this->Tets.Lines.Between(p, q) != NoId || !this->IsNewEdge(p, q, isInCell) ||
     !this->Normals.AllowsFlip({ { { a, b, p }, { b, a, q } } }, { { { p, b, q }, { q, a, p } } }))
   {
     return false;
@@ -318,7 +329,8 @@ bool EdgeRemoval::FillFromInside()
   const Point3& a = this->Tets.Mesh.PointAt(this->A);
   const Point3& b = this->Tets.Mesh.PointAt(this->B);
   const double length = Distance(a, b);
-  if (length < 0.5 * this->EdgeSize()) // else flat parts are split without end
+  if (length <
+    0.5 * MeanSize(this->Tets, this->A, this->B)) // else flat parts are split without end
   {
     return false;
   }
@@ -349,13 +361,6 @@ bool EdgeRemoval::FillFromInside()
   return true;
 }
 
-/// f at the middle of the edge.
-double EdgeRemoval::EdgeSize() const
-{
-  const std::vector<double>& sizes = this->Tets.Body.Sizes;
-  return 0.5 * (sizes[At(this->A)] + sizes[At(this->B)]);
-}
-
 /// Whether the ground allows the halves of the facets.
 bool EdgeRemoval::SplitFacets(const GroundPlace& place)
 {
@@ -376,8 +381,9 @@ void EdgeRemoval::FillAround(const GroundPlace& place)
 {
   const bool isOnFacets = this->NumberOfRecords > 0;
   RelaxedBody& body = this->Tets.Body;
-  const Id vertex = this->Tets.AddVertex(
-    isOnFacets ? BodyTets::Kind::OnPatch : BodyTets::Kind::Inside, place.Place, this->EdgeSize());
+  const Id vertex =
+    this->Tets.AddVertex(isOnFacets ? BodyTets::Kind::OnPatch : BodyTets::Kind::Inside, place.Place,
+      MeanSize(this->Tets, this->A, this->B));
   body.BoundaryPlaces.resize(body.Sizes.size(), NoId);
   body.BoundaryPlaces[At(vertex)] = place.Triangle;
   this->Change.Filling.clear();

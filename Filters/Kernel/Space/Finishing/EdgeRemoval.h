@@ -69,7 +69,6 @@ private:
   void Fill(const Link& link, std::size_t i, std::size_t j);
   bool FlipFacets();
   bool IsSplittable() const;
-  double EdgeSize() const;
   bool FillFromInside();
   bool SplitFacets(const GroundPlace& place);
   void FillAround(const GroundPlace& place);

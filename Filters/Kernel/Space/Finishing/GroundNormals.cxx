@@ -42,8 +42,9 @@ GroundNormals::Facet GroundNormals::FacetOf(const std::array<Id, 3>& corners) co
   {
     const Id corner = corners[k];
     facet.Places[k] = this->Tets.Mesh.PointAt(corner);
-    facet.Triangles[k] =
-      this->Tets.IsOnLine(corner) ? NoId : this->Tets.Body.BoundaryPlaces[At(corner)];
+    facet.Triangles[k] = this->Tets.Kinds[At(corner)] == BodyTets::Kind::OnLine
+      ? NoId
+      : this->Tets.Body.BoundaryPlaces[At(corner)];
   }
   return facet;
 }
@@ -83,12 +84,12 @@ bool GroundNormals::AllowsFacet(const Facet& before, const Facet& after) const
 GroundPlace GroundNormals::Project(Id vertex, const Point3& place)
 {
   const RelaxedBody& body = this->Tets.Body;
-  if (!this->Tets.IsOnLine(vertex))
+  if (this->Tets.Kinds[At(vertex)] != BodyTets::Kind::OnLine)
   {
     return this->Patches.Project(body.BoundaryPlaces[At(vertex)], place);
   }
   this->Segments.resize(At(body.NumberOnLines), NoId);
-  const Id chain = body.PieceChains[At(this->Tets.PiecesAt(vertex)[0])];
+  const Id chain = body.PieceChains[At(this->Tets.Lines.PiecesOf(vertex)[0])];
   Id& segment = this->Segments[At(vertex)];
   Point3 nearest;
   if (segment == NoId)
@@ -139,7 +140,7 @@ Id GroundNormals::NearestOnChain(Id chain, Id segment, const Point3& place, Poin
 bool GroundNormals::AllowsMove(
   const std::vector<Id>& star, Id vertex, const GroundPlace& place) const
 {
-  const bool isOnLine = this->Tets.IsOnLine(vertex);
+  const bool isOnLine = this->Tets.Kinds[At(vertex)] == BodyTets::Kind::OnLine;
   const GroundPlace seen{ isOnLine ? NoId : place.Triangle, place.Place };
   for (const Id own : star)
   {
@@ -166,9 +167,9 @@ bool GroundNormals::AllowsSlide(Id vertex, const Point3& place) const
   const RelaxedBody& body = this->Tets.Body;
   double before = MostDistance * body.Sizes[At(vertex)];
   double after = 0.0;
-  for (const Id piece : this->Tets.PiecesAt(vertex))
+  for (const Id piece : this->Tets.Lines.PiecesOf(vertex))
   {
-    const Point3& end = this->Tets.Mesh.PointAt(this->Tets.OtherEnd(piece, vertex));
+    const Point3& end = this->Tets.Mesh.PointAt(this->Tets.Lines.OtherEnd(piece, vertex));
     const auto distanceAt = [this, &body, vertex, piece](const Point3& middle)
     {
       Point3 nearest;
@@ -185,7 +186,8 @@ bool GroundNormals::AllowsSlide(Id vertex, const Point3& place) const
 bool GroundNormals::AllowsChange(
   const std::vector<FacetChange>& changes, Id to, const GroundPlace& place) const
 {
-  const Id triangle = to != NoId && this->Tets.IsOnLine(to) ? NoId : place.Triangle;
+  const Id triangle =
+    to != NoId && this->Tets.Kinds[At(to)] == BodyTets::Kind::OnLine ? NoId : place.Triangle;
   return std::all_of(changes.begin(), changes.end(),
     [this, triangle, &place](const FacetChange& change)
     {
@@ -239,12 +241,12 @@ bool GroundNormals::AllowsFlip(const std::array<std::array<Id, 3>, 2>& before,
 void GroundNormals::Move(Id vertex, const GroundPlace& place)
 {
   this->Tets.Body.BoundaryPlaces[At(vertex)] = place.Triangle;
-  if (!this->Tets.IsOnLine(vertex))
+  if (this->Tets.Kinds[At(vertex)] != BodyTets::Kind::OnLine)
   {
     this->Tets.Body.Sizes[At(vertex)] = this->Ground.SizeAt(place.Triangle, place.Place);
     return;
   }
-  const Id chain = this->Tets.Body.PieceChains[At(this->Tets.PiecesAt(vertex)[0])];
+  const Id chain = this->Tets.Body.PieceChains[At(this->Tets.Lines.PiecesOf(vertex)[0])];
   Point3 nearest;
   Id& segment = this->Segments[At(vertex)];
   segment = this->NearestOnChain(chain, segment, place.Place, nearest);

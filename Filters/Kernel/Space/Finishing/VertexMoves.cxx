@@ -89,7 +89,7 @@ void VertexMoves::Move(Id vertex, const Point3& place)
 /// Moves the vertex there, or to the nearest place of its patch, if that suits.
 bool VertexMoves::Try(Id vertex, const Point3& place, double limit)
 {
-  if (this->Tets.IsInside(vertex))
+  if (this->Tets.Kinds[At(vertex)] == BodyTets::Kind::Inside)
   {
     const bool suits = this->Suits(place, limit);
     if (suits)
@@ -112,7 +112,7 @@ bool VertexMoves::Try(Id vertex, const Point3& place, double limit)
 
 bool VertexMoves::Smooth(Id vertex, double good)
 {
-  const bool isInside = this->Tets.IsInside(vertex);
+  const bool isInside = this->Tets.Kinds[At(vertex)] == BodyTets::Kind::Inside;
   const Point3 old = this->Tets.Mesh.PointAt(vertex);
   this->Gather(vertex);
   const Point3 way = isInside ? this->WayInside(old) : this->WayOnGround(vertex);
@@ -180,7 +180,8 @@ Point3 VertexMoves::WayOnGround(Id vertex) const
 bool VertexMoves::Improve(Id vertex, double good)
 {
   constexpr int MostMoves = 64; // more than good places take; where none is good it ends there
-  if ((this->Tets.IsOnLine(vertex) && this->Tets.PiecesAt(vertex)[0] == NoId) ||
+  if ((this->Tets.Kinds[At(vertex)] == BodyTets::Kind::OnLine &&
+        this->Tets.Lines.PiecesOf(vertex)[0] == NoId) ||
     this->Tets.TriedMoves[At(vertex)] > this->Tets.Touched[At(vertex)] ||
     this->Tets.NumberOfMoves[At(vertex)] >= MostMoves)
   {
@@ -214,7 +215,7 @@ bool VertexMoves::Improve(Id vertex, double good)
 
 bool VertexMoves::Merge(Id vertex, Id other)
 {
-  const bool isInside = this->Tets.IsInside(vertex);
+  const bool isInside = this->Tets.Kinds[At(vertex)] == BodyTets::Kind::Inside;
   this->Change.Clear();
   if (!isInside && !this->FindFacets(vertex, other))
   {
@@ -229,7 +230,7 @@ bool VertexMoves::Merge(Id vertex, Id other)
   this->Star.clear();
   this->GatherBut(vertex, other);
   const std::size_t fillings = this->Star.size();
-  const bool isFree = isInside && this->Tets.IsInside(other);
+  const bool isFree = isInside && this->Tets.Kinds[At(other)] == BodyTets::Kind::Inside;
   Point3 place = this->Tets.Mesh.PointAt(other);
   if (isFree)
   {
@@ -252,9 +253,9 @@ bool VertexMoves::Merge(Id vertex, Id other)
   {
     return false;
   }
-  if (this->Tets.IsOnLine(vertex))
+  if (this->Tets.Kinds[At(vertex)] == BodyTets::Kind::OnLine)
   {
-    this->Tets.JoinPieces(vertex, this->Tets.PieceBetween(vertex, other));
+    this->Tets.Lines.Join(vertex, this->Tets.Lines.Between(vertex, other));
   }
   for (std::size_t k = 0; k < fillings; ++k)
   {
@@ -273,17 +274,18 @@ bool VertexMoves::Merge(Id vertex, Id other)
 /// edge of two facets and more to `other`, on its chain or patch. False where it may not.
 bool VertexMoves::FindFacets(Id vertex, Id other)
 {
-  const std::array<Id, 2> pieces = this->Tets.PiecesAt(vertex);
-  const Id piece = this->Tets.PieceBetween(vertex, other);
-  if (this->Tets.IsInside(other) ||
-    (this->Tets.IsOnLine(vertex) && (pieces[0] == NoId || piece == NoId)))
+  const std::array<Id, 2> pieces = this->Tets.Lines.PiecesOf(vertex);
+  const Id piece = this->Tets.Lines.Between(vertex, other);
+  if (this->Tets.Kinds[At(other)] == BodyTets::Kind::Inside ||
+    (this->Tets.Kinds[At(vertex)] == BodyTets::Kind::OnLine &&
+      (pieces[0] == NoId || piece == NoId)))
   {
     return false;
   }
   if (piece != NoId)
   {
-    const Id end = this->Tets.OtherEnd(pieces[0] == piece ? pieces[1] : pieces[0], vertex);
-    if (end == other || this->Tets.PieceBetween(end, other) != NoId)
+    const Id end = this->Tets.Lines.OtherEnd(pieces[0] == piece ? pieces[1] : pieces[0], vertex);
+    if (end == other || this->Tets.Lines.Between(end, other) != NoId)
     {
       return false;
     }

@@ -39,6 +39,18 @@ std::pair<Id, double> NearestBelow(
   return nearest;
 }
 
+/// Of bites: vertices of the boundary, or of lines.
+std::vector<std::uint8_t> UsedBites(const SurfaceBites& bites, const SurfaceBoundary& boundary)
+{
+  std::vector<std::uint8_t> isUsed(bites.Centers.size(), 0);
+  std::fill_n(isUsed.begin(), bites.NumberOnLines, std::uint8_t{ 1 });
+  for (const Id bite : boundary.Corners)
+  {
+    isUsed[At(bite)] = 1;
+  }
+  return isUsed;
+}
+
 class SurfaceCertifier
 {
 public:
@@ -286,7 +298,7 @@ private:
   bool AreSoft() const
   {
     const std::vector<BoundaryOffence>& offences = this->Boundary.Offences;
-    const std::vector<std::uint8_t> isUsed = this->FindUsed();
+    const std::vector<std::uint8_t> isUsed = UsedBites(this->Bites, this->Boundary);
     const auto isNear = [this, &isUsed](Id bite)
     {
       const Id triangle = this->Bites.Triangles[At(bite)];
@@ -309,18 +321,6 @@ private:
       });
   }
 
-  /// Of bites: vertices of the boundary, or of lines.
-  std::vector<std::uint8_t> FindUsed() const
-  {
-    std::vector<std::uint8_t> isUsed(this->Bites.Centers.size(), 0);
-    std::fill_n(isUsed.begin(), this->Bites.NumberOnLines, std::uint8_t{ 1 });
-    for (const Id bite : this->Boundary.Corners)
-    {
-      isUsed[At(bite)] = 1;
-    }
-    return isUsed;
-  }
-
   /// Takes the boundary as it is, and the bites away that are none of its vertices.
   void GiveUpSoft()
   {
@@ -330,7 +330,7 @@ private:
         { ProblemCode::LostFeatures, {}, this->Bites.Centers[At(offence.Bite)], "" });
     }
     this->Boundary.Offences.clear();
-    const std::vector<std::uint8_t> isUsed = this->FindUsed();
+    const std::vector<std::uint8_t> isUsed = UsedBites(this->Bites, this->Boundary);
     const auto keep = [&isUsed](auto& list)
     {
       std::size_t next = 0;
