@@ -79,7 +79,9 @@ public:
     }
     Ray turned = last;
     turned.Direction = OutwardOf(next);
-    if (Cross(outward, turned.Direction) > 0.0)
+    // Where the border meets itself the next edge may be beyond triangles.
+    if (Cross(outward, turned.Direction) > 0.0 &&
+      !this->Source.ValueInside(edge.End + Slightly * length * (outward + turned.Direction)))
     {
       this->Cast(turned, last.Length);
       this->Turn(last, turned, 1.0);
