@@ -141,7 +141,7 @@ struct Budget
 
 const std::map<std::string, Budget> Budgets = {
   { ".", { 5900, 11 } },
-  { "Bridge", { 13600, 75 } },
+  { "Bridge", { 13700, 76 } },
   { "IO", { 2950, 16 } },
   { "Kernel", { 950, 3 } },
   { "Kernel/Base", { 2250, 29 } },
@@ -162,13 +162,13 @@ const std::map<std::string, Budget> Budgets = {
   { "Kernel/Space/Delaunay", { 1450, 10 } },
   { "Kernel/Space/Features", { 1700, 14 } },
   { "Kernel/Space/Biting", { 1000, 11 } },
-  { "Kernel/Space/Boundary", { 1650, 16 } },
-  { "Kernel/Space/Relaxation", { 650, 4 } },
-  { "Kernel/Space/Interior", { 1200, 15 } },
-  { "Kernel/Space/Finishing", { 1950, 13 } },
-  { "Kernel/Space/Meshing", { 1950, 14 } },
-  { "Kernel/Space/Quality", { 300, 2 } },
-  { "Kernel/Space/Surface", { 2350, 18 } },
+  { "Kernel/Space/Boundary", { 1700, 16 } },
+  { "Kernel/Space/Relaxation", { 950, 7 } },
+  { "Kernel/Space/Interior", { 1300, 17 } },
+  { "Kernel/Space/Finishing", { 2550, 15 } },
+  { "Kernel/Space/Meshing", { 2150, 14 } },
+  { "Kernel/Space/Quality", { 400, 2 } },
+  { "Kernel/Space/Surface", { 2900, 20 } },
 };
 
 bool IsAllowed(const std::string& from, const std::string& to)
