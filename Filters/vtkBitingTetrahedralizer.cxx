@@ -86,6 +86,11 @@ void vtkBitingTetrahedralizer::Execution::MakeMesh()
     this->Own.Surface.Regions.clear(); // a part in another one bounds a cavity
   }
   this->Body = biting::MakeBitingBody(this->Surface, this->Own, this->Problems, this->Progress);
+  const bool isIgnored =
+    this->Regions.Array && !this->Body.Corners.empty() && !this->Body.HasRegionValues;
+  this->Warn(isIgnored ? "The values of RegionArray are not those of what surfaces enclose: their "
+                         "borders are kept as lines, and regions are numbered."
+                       : "");
 }
 
 //------------------------------------------------------------------------------
