@@ -323,7 +323,8 @@ bool EdgeRemoval::IsSplittable() const
 }
 
 /// Looks for the place of a new vertex at which the worst of the halves of the cells about the edge
-/// is best, from the middle of the edge on; between facets, on the ground.
+/// is best, from the middle of the edge on; between facets it is the place on the ground below the
+/// middle.
 bool EdgeRemoval::FillFromInside()
 {
   const Point3& a = this->Tets.Mesh.PointAt(this->A);
@@ -335,20 +336,16 @@ bool EdgeRemoval::FillFromInside()
     return false;
   }
   const bool isOnFacets = this->NumberOfRecords > 0;
-  const auto placeAt = [this, isOnFacets](const Point3& place)
-  {
-    return isOnFacets ? this->Normals.ProjectOnFacet(this->Records[0], place)
-                      : GroundPlace{ NoId, place };
-  };
-  GroundPlace best = placeAt(Midpoint(a, b));
+  GroundPlace best{ NoId, Midpoint(a, b) };
+  best = isOnFacets ? this->Normals.ProjectOnFacet(this->Records[0], best.Place) : best;
   double worst = this->WorstAround(best.Place, 1.0);
-  TryInSteps(0.1 * length, 0.01 * length,
-    [this, &placeAt, &best, &worst](const Point3& step)
+  TryInSteps(isOnFacets ? 0.0 : 0.1 * length, 0.01 * length,
+    [this, &best, &worst](const Point3& step)
     {
-      const GroundPlace place = placeAt(best.Place + step);
-      const double tried = this->WorstAround(place.Place, worst - LeastGain);
-      best = tried < worst ? place : best;
+      const Point3 place = best.Place + step;
+      const double tried = this->WorstAround(place, worst - LeastGain);
       const bool goes = tried < worst;
+      best.Place = goes ? place : best.Place;
       worst = std::min(worst, tried);
       return goes;
     });
