@@ -27,6 +27,7 @@ BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
   this->TriedMoves.assign(this->Mesh.Points.size(), 0);
   this->NumberOfMoves.assign(this->Mesh.Points.size(), 0);
   this->ResizeCells();
+  std::vector<std::size_t> counts(this->Mesh.Points.size(), 0); // of cells
   for (Id cell = 0; cell < this->Mesh.NumberOfSlots(); ++cell)
   {
     const Tetrahedron corners = this->CornersOf(cell);
@@ -34,6 +35,7 @@ BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
     for (Id slot = 4 * cell; slot < 4 * cell + 4; ++slot)
     {
       this->Mesh.VertexCells[At(this->VertexAt(slot))] = cell;
+      ++counts[At(this->VertexAt(slot))];
       const Id record = this->RecordOf(slot);
       if (record >= 0)
       {
@@ -42,6 +44,14 @@ BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
       }
     }
     pulse.Beat(1);
+  }
+  // Bodies that touch along a line have stars of several parts there, of which StarOf knows one.
+  for (Id vertex = 0; vertex < body.NumberOnLines; ++vertex)
+  {
+    if (this->StarOf(vertex).size() != counts[At(vertex)])
+    {
+      this->Lines.Fix(vertex);
+    }
   }
 }
 

@@ -11,6 +11,7 @@ namespace biting
 LinePieces::LinePieces(RelaxedBody& body)
   : Body(body)
   , PiecesAt(At(body.NumberOnLines))
+  , IsFixed(At(body.NumberOnLines), 0)
 {
   for (std::size_t k = 0; k < body.PieceEnds.size(); ++k)
   {
@@ -33,7 +34,8 @@ Id LinePieces::Between(Id a, Id b) const
 std::array<Id, 2> LinePieces::PiecesOf(Id vertex) const
 {
   const std::vector<Id>& chains = this->Body.PieceChains;
-  if (vertex < this->Body.NumberOfCorners || chains.empty() || At(vertex) >= this->PiecesAt.size())
+  if (vertex < this->Body.NumberOfCorners || chains.empty() ||
+    At(vertex) >= this->PiecesAt.size() || this->IsFixed[At(vertex)] != 0)
   {
     return { NoId, NoId };
   }

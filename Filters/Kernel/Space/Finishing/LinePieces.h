@@ -6,8 +6,9 @@
 
 #include "BodyRelaxation.h"
 
-#include <array>  // for two pieces
-#include <vector> // for lists of pieces
+#include <array>   // for two pieces
+#include <cstdint> // for marks
+#include <vector>  // for lists of pieces
 
 namespace biting
 {
@@ -21,8 +22,9 @@ public:
   /// The piece between two vertices, or NoId.
   Id Between(Id a, Id b) const;
 
-  /// The two pieces of one chain at a vertex that is no corner; else NoId.
+  /// The two pieces of one chain at a vertex that is no corner and not fixed; else NoId.
   std::array<Id, 2> PiecesOf(Id vertex) const;
+  void Fix(Id vertex) { this->IsFixed[At(vertex)] = 1; }
   Id OtherEnd(Id piece, Id vertex) const;
 
   /// Makes one piece of the two at a vertex: `gone`, whose other end gets the other piece.
@@ -34,6 +36,7 @@ public:
 private:
   RelaxedBody& Body;
   std::vector<std::vector<Id>> PiecesAt; ///< of vertices on lines
+  std::vector<std::uint8_t> IsFixed;     ///< the same
 };
 
 } // namespace biting
