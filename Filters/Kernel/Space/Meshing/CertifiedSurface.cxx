@@ -64,7 +64,7 @@ public:
     , Tree(result.Tree)
     , Boundary(result.Boundary)
     , Asked(result.AskedVertices)
-    , RoundsForFar(result.RoundsForFar)
+    , RoundsForFar(options.BoundaryTolerance > 0.0 ? result.RoundsForFar : 0)
     , Problems(problems)
     , Beats(monitor)
   {
@@ -495,7 +495,7 @@ private:
         far.push_back(corners[slot]);
       }
     }
-    return this->Options.BoundaryTolerance > 0.0 ? far : std::vector<Id>();
+    return far;
   }
 
   const CheckedSurface& Surface;

@@ -3,6 +3,7 @@
 
 #include "SharedWalls.h"
 
+#include "../../Base/IdLists.h"
 #include "SurfaceLinks.h"
 
 #include <algorithm> // for all_of, lower_bound, sort, unique
@@ -81,23 +82,19 @@ private:
       std::unique(this->Vertices.begin(), this->Vertices.end()), this->Vertices.end());
     this->Apart.Points.resize(this->Vertices.size());
     this->Apart.Corners.resize(slots);
-    this->Offsets.assign(this->Vertices.size() + 1, 0);
     for (std::size_t slot = 0; slot < slots; ++slot)
     {
-      const Id own = this->NumberOf({ this->Mesh.Corners[slot], this->RegionOf(slot / 3) });
-      this->Apart.Corners[slot] = own;
-      ++this->Offsets[At(own) + 1];
+      this->Apart.Corners[slot] =
+        this->NumberOf({ this->Mesh.Corners[slot], this->RegionOf(slot / 3) });
     }
-    for (std::size_t k = 1; k < this->Offsets.size(); ++k)
-    {
-      this->Offsets[k] += this->Offsets[k - 1];
-    }
-    std::vector<std::size_t> next(this->Offsets.begin(), this->Offsets.end() - 1);
-    this->SlotsAt.resize(slots);
-    for (std::size_t slot = 0; slot < slots; ++slot)
-    {
-      this->SlotsAt[next[At(this->Apart.Corners[slot])]++] = slot;
-    }
+    this->SlotsAt = IdLists(this->Vertices.size(),
+      [this, slots](const auto& add)
+      {
+        for (std::size_t slot = 0; slot < slots; ++slot)
+        {
+          add(this->Apart.Corners[slot], static_cast<Id>(slot));
+        }
+      });
     this->Links = LinkSurface(this->Apart, this->Beats);
     this->IsTouched.assign(this->Mesh.Points.size(), 0);
   }
@@ -128,10 +125,10 @@ private:
   bool HasEdge(Id from, Id to) const
   {
     bool has = false;
-    for (std::size_t k = this->Offsets[At(from)]; k < this->Offsets[At(from) + 1]; ++k)
+    for (const Id slot : this->SlotsAt[from])
     {
-      has = has || this->Apart.Corners[NextSlotOf(this->SlotsAt[k])] == to ||
-        this->Apart.Corners[PreviousSlotOf(this->SlotsAt[k])] == to;
+      has = has || this->Apart.Corners[NextSlotOf(At(slot))] == to ||
+        this->Apart.Corners[PreviousSlotOf(At(slot))] == to;
     }
     return has;
   }
@@ -168,9 +165,9 @@ private:
   {
     for (std::size_t most = 1; most <= MostCrossed; ++most)
     {
-      for (std::size_t k = this->Offsets[At(a)]; k < this->Offsets[At(a) + 1]; ++k)
+      for (const Id own : this->SlotsAt[a])
       {
-        const std::size_t slot = this->SlotsAt[k];
+        const std::size_t slot = At(own);
         this->Found = {};
         this->Found.Right.push_back(this->Apart.Corners[NextSlotOf(slot)]);
         this->Found.Left.push_back(this->Apart.Corners[PreviousSlotOf(slot)]);
@@ -421,11 +418,10 @@ private:
   ProblemList& Problems;
   Pulse& Beats;
   std::vector<std::pair<std::array<Id, 2>, std::size_t>> Edges; ///< of all slots, in order
-  std::vector<RegionVertex> Vertices; ///< in order; what follows has their numbers
-  SurfaceMesh Apart;                  ///< corners only
-  SurfaceLinks Links;                 ///< of it
-  std::vector<std::size_t> Offsets;   ///< of vertices, into SlotsAt
-  std::vector<std::size_t> SlotsAt;
+  std::vector<RegionVertex> Vertices;  ///< in order; what follows has their numbers
+  SurfaceMesh Apart;                   ///< corners only
+  SurfaceLinks Links;                  ///< of it
+  IdLists SlotsAt;                     ///< of vertices
   std::vector<std::uint8_t> IsTouched; ///< of vertices of the mesh: of triangles that changed
   Strip Found;
 };
