@@ -365,7 +365,7 @@ private:
       {
         const auto vertex = static_cast<Id>(v);
         this->BiteAt[v] =
-          this->Add(this->Ground.Mesh.Points[v], *this->Ground.TrianglesAt.Begin(vertex), vertex);
+          this->Add(this->Ground.Mesh.Points[v], this->Ground.TrianglesAt[vertex][0], vertex);
       }
     }
     this->Bites.NumberOfCorners = this->Bites.Size();
@@ -434,12 +434,12 @@ private:
 
   Id TriangleOf(Id a, Id b) const
   {
-    for (const Id* t = this->Ground.TrianglesAt.Begin(a); t < this->Ground.TrianglesAt.End(a); ++t)
+    for (const Id t : this->Ground.TrianglesAt[a])
     {
-      const Id* corners = &this->Ground.Mesh.Corners[3 * At(*t)];
+      const Id* corners = &this->Ground.Mesh.Corners[3 * At(t)];
       if (std::find(corners, corners + 3, b) != corners + 3)
       {
-        return *t;
+        return t;
       }
     }
     return NoId;

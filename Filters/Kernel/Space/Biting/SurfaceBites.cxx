@@ -166,7 +166,7 @@ private:
     if (vertex != NoId)
     {
       this->Front.assign(
-        this->Ground.TrianglesAt.Begin(vertex), this->Ground.TrianglesAt.End(vertex));
+        this->Ground.TrianglesAt[vertex].begin(), this->Ground.TrianglesAt[vertex].end());
       return;
     }
     const Point3& center = this->Bites.Centers[At(bite)];
@@ -174,17 +174,16 @@ private:
     const double near = 1e-9 * this->Bites.Radii[At(bite)];
     for (std::size_t k = 0; k < 3; ++k)
     {
-      for (const Id* t = this->Ground.TrianglesAt.Begin(corners[k]);
-           t < this->Ground.TrianglesAt.End(corners[k]); ++t)
+      for (const Id t : this->Ground.TrianglesAt[corners[k]])
       {
         bool isAt = false;
-        for (std::size_t slot = 3 * At(*t); slot < 3 * At(*t) + 3; ++slot)
+        for (std::size_t slot = 3 * At(t); slot < 3 * At(t) + 3; ++slot)
         {
           isAt = isAt || this->Distance2(slot, center) <= near * near;
         }
-        if (isAt && std::find(this->Front.begin(), this->Front.end(), *t) == this->Front.end())
+        if (isAt && std::find(this->Front.begin(), this->Front.end(), t) == this->Front.end())
         {
-          this->Front.push_back(*t);
+          this->Front.push_back(t);
         }
       }
     }
@@ -278,13 +277,12 @@ private:
       // No centre may be in the ball of a feature: it goes on beyond other features.
       const Id tail = this->Ground.Mesh.Corners[NextSlotOf(slot)];
       const Id head = this->Ground.Mesh.Corners[PreviousSlotOf(slot)];
-      for (const Id* t = this->Ground.TrianglesAt.Begin(tail);
-           t < this->Ground.TrianglesAt.End(tail); ++t)
+      for (const Id t : this->Ground.TrianglesAt[tail])
       {
-        const Id* corners = &this->Ground.Mesh.Corners[3 * At(*t)];
+        const Id* corners = &this->Ground.Mesh.Corners[3 * At(t)];
         if (std::find(corners, corners + 3, head) != corners + 3)
         {
-          this->GoTo(bite, *t);
+          this->GoTo(bite, t);
         }
       }
     }

@@ -24,11 +24,11 @@ public:
 
   void Run(Pulse& pulse)
   {
-    this->FacetsAt = PlacesByKey(this->Boundary.Corners, At(this->Bites.Size()));
+    this->FacetsAt = PlacesByOwner(this->Boundary.Corners, At(this->Bites.Size()));
     this->ListPieces();
     for (Id bite = 0; bite < this->Bites.Size() && pulse.Beat(8); ++bite)
     {
-      if (this->FacetsAt.Count(bite) == 0)
+      if (this->FacetsAt[bite].Size() == 0)
       {
         this->Tell(BoundaryFault::Missing, bite, NoId);
       }
@@ -87,42 +87,40 @@ private:
   /// of borders one.
   void CheckFan(Id bite)
   {
-    const Id* begin = this->FacetsAt.Begin(bite);
-    const Id* end = this->FacetsAt.End(bite);
-    const Id count = this->FacetsAt.Count(bite);
+    const IdLists::List slots = this->FacetsAt[bite];
     Id starts = 0; // fans that begin at a piece
     Id walked = 0; // facets in these
-    for (const Id* slot = begin; slot < end; ++slot)
+    for (const Id slot : slots)
     {
       Id before = 0;
       Id beside = 0;
-      for (const Id* other = begin; other < end; ++other)
+      for (const Id other : slots)
       {
-        before += this->Previous(*other) == this->Next(*slot) ? 1 : 0;
-        beside += this->Next(*other) == this->Next(*slot) ? 1 : 0;
+        before += this->Previous(other) == this->Next(slot) ? 1 : 0;
+        beside += this->Next(other) == this->Next(slot) ? 1 : 0;
       }
-      const bool isPiece = this->IsPiece(bite, this->Next(*slot));
+      const bool isPiece = this->IsPiece(bite, this->Next(slot));
       if ((!isPiece && (before != 1 || beside != 1)) ||
-        (before + beside != 2 && this->IsAmong(this->Turning, bite, this->Next(*slot))) ||
-        (before + beside != 1 && this->IsAmong(this->Borders, bite, this->Next(*slot))))
+        (before + beside != 2 && this->IsAmong(this->Turning, bite, this->Next(slot))) ||
+        (before + beside != 1 && this->IsAmong(this->Borders, bite, this->Next(slot))))
       {
-        this->Tell(BoundaryFault::NonManifold, bite, this->Next(*slot));
+        this->Tell(BoundaryFault::NonManifold, bite, this->Next(slot));
         return;
       }
       starts += isPiece ? 1 : 0;
     }
-    for (const Id* slot = begin; slot < end; ++slot)
+    for (const Id slot : slots)
     {
-      if (starts == 0 || this->IsPiece(bite, this->Next(*slot)))
+      if (starts == 0 || this->IsPiece(bite, this->Next(slot)))
       {
-        walked += this->WalkFan(bite, *slot);
+        walked += this->WalkFan(bite, slot);
       }
       if (starts == 0)
       {
         break;
       }
     }
-    if (walked != count && (starts > 0 || bite >= this->Bites.NumberOfCorners))
+    if (walked != slots.Size() && (starts > 0 || bite >= this->Bites.NumberOfCorners))
     {
       this->Tell(BoundaryFault::Pinched, bite, NoId);
     }
@@ -132,7 +130,7 @@ private:
   Id WalkFan(Id bite, Id slot) const
   {
     const Id first = slot;
-    const Id limit = this->FacetsAt.Count(bite);
+    const Id limit = this->FacetsAt[bite].Size();
     for (Id count = 1; count <= limit; ++count)
     {
       if (this->IsPiece(bite, this->Previous(slot)))
@@ -140,9 +138,9 @@ private:
         return count;
       }
       Id next = NoId;
-      for (const Id* other = this->FacetsAt.Begin(bite); other < this->FacetsAt.End(bite); ++other)
+      for (const Id other : this->FacetsAt[bite])
       {
-        next = this->Next(*other) == this->Previous(slot) ? *other : next;
+        next = this->Next(other) == this->Previous(slot) ? other : next;
       }
       if (next == first || next == NoId)
       {
@@ -159,10 +157,9 @@ private:
     for (std::size_t k = 0; k < ends.size(); k += 2)
     {
       bool isThere = false;
-      for (const Id* slot = this->FacetsAt.Begin(ends[k]);
-           slot < this->FacetsAt.End(ends[k]) && !isThere; ++slot)
+      for (const Id slot : this->FacetsAt[ends[k]])
       {
-        isThere = this->Next(*slot) == ends[k + 1] || this->Previous(*slot) == ends[k + 1];
+        isThere = isThere || this->Next(slot) == ends[k + 1] || this->Previous(slot) == ends[k + 1];
       }
       if (!isThere)
       {
@@ -193,7 +190,7 @@ private:
   const SurfaceGround& Ground;
   const SurfaceBites& Bites;
   SurfaceBoundary& Boundary;
-  ListsByKey FacetsAt; ///< of bites: the slots of facets
+  IdLists FacetsAt; ///< of bites: the slots of facets
   std::vector<std::pair<Id, Id>> Pieces;
   std::vector<std::pair<Id, Id>> Turning; ///< those of turning edges
   std::vector<std::pair<Id, Id>> Borders; ///< those of borders

@@ -43,7 +43,6 @@ GroundPatches::GroundPatches(const SurfaceGround& ground)
 GroundPlace GroundPatches::Project(Id triangle, const Point3& place) const
 {
   const SurfaceMesh& mesh = this->Ground.Mesh;
-  const ListsByKey& trianglesAt = this->Ground.TrianglesAt;
   GroundPlace best{ triangle, NearestPoint(mesh.Triangle(At(triangle)), place) };
   double least = Distance(best.Place, place);
   const Id patch = this->PatchOf(triangle);
@@ -56,21 +55,21 @@ GroundPlace GroundPatches::Project(Id triangle, const Point3& place) const
     for (std::size_t slot = base; slot < base + 3; ++slot)
     {
       const Id vertex = mesh.Corners[slot];
-      for (const Id* t = trianglesAt.Begin(vertex); t < trianglesAt.End(vertex); ++t)
+      for (const Id t : this->Ground.TrianglesAt[vertex])
       {
-        const auto corners = mesh.Corners.begin() + 3 * *t;
+        const auto corners = mesh.Corners.begin() + 3 * t;
         const bool isSeen = std::find_first_of(corners, corners + 3, mesh.Corners.begin() + base,
                               mesh.Corners.begin() + slot) != corners + 3; // at an earlier vertex
-        if (isSeen || this->PatchOf(*t) != patch)
+        if (isSeen || this->PatchOf(t) != patch)
         {
           continue;
         }
-        const Point3 foot = NearestPoint(mesh.Triangle(At(*t)), place);
+        const Point3 foot = NearestPoint(mesh.Triangle(At(t)), place);
         const double distance = Distance(foot, place);
         if (distance < (1.0 - 1e-12) * least)
         {
           least = distance;
-          best = { *t, foot };
+          best = { t, foot };
           isNearer = true;
         }
       }

@@ -337,9 +337,9 @@ void CapByTurns(SurfaceGround& ground, Id chain, double tolerance)
 Point3 NormalAt(const SurfaceGround& ground, Id vertex)
 {
   Point3 normal{};
-  for (const Id* t = ground.TrianglesAt.Begin(vertex); t < ground.TrianglesAt.End(vertex); ++t)
+  for (const Id t : ground.TrianglesAt[vertex])
   {
-    normal = normal + ground.NormalOf(At(*t));
+    normal = normal + ground.NormalOf(At(t));
   }
   return normal;
 }
@@ -472,9 +472,8 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
   for (std::size_t v = firstVertex; v < ground.Mesh.Points.size() && pulse.Beat(64); ++v)
   {
     const auto vertex = static_cast<Id>(v);
-    const Id* begin = ground.TrianglesAt.Begin(vertex);
-    if (ground.TrianglesAt.Count(vertex) == 0 || isDone[At(*begin)] != 0 ||
-      ground.Places[v] != FeaturePlace::None)
+    const IdLists::List around = ground.TrianglesAt[vertex];
+    if (around.Size() == 0 || isDone[At(around[0])] != 0 || ground.Places[v] != FeaturePlace::None)
     {
       continue;
     }
@@ -482,7 +481,7 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
     const double length = Length(normal);
     if (length > 0.0)
     {
-      measure(ground.Mesh.Points[v], (1.0 / length) * normal, *begin, &vertex, &vertex + 1);
+      measure(ground.Mesh.Points[v], (1.0 / length) * normal, around[0], &vertex, &vertex + 1);
     }
   }
   const auto isOnLine = [&ground](Id v) { return ground.Places[At(v)] != FeaturePlace::None; };
@@ -589,10 +588,9 @@ void GradeSizes(SurfaceGround& ground, double gradation, Pulse& pulse)
     {
       continue;
     }
-    for (const Id* t = ground.TrianglesAt.Begin(entry.second);
-         t < ground.TrianglesAt.End(entry.second); ++t)
+    for (const Id t : ground.TrianglesAt[entry.second])
     {
-      for (std::size_t slot = 3 * At(*t); slot < 3 * At(*t) + 3; ++slot)
+      for (std::size_t slot = 3 * At(t); slot < 3 * At(t) + 3; ++slot)
       {
         lower(entry.second, corners[slot]);
       }

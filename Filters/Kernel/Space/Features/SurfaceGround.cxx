@@ -255,30 +255,6 @@ private:
 
 } // namespace
 
-ListsByKey PlacesByKey(const std::vector<Id>& keys, std::size_t count)
-{
-  ListsByKey lists;
-  lists.Offsets.assign(count + 1, 0);
-  lists.Items.resize(keys.size());
-  for (const Id key : keys)
-  {
-    ++lists.Offsets[static_cast<std::size_t>(key)];
-  }
-  Id sum = 0;
-  for (Id& offset : lists.Offsets)
-  {
-    sum += offset;
-    offset = sum;
-  }
-  for (std::size_t place = keys.size(); place-- > 0;)
-  {
-    Id& offset = lists.Offsets[static_cast<std::size_t>(keys[place])];
-    --offset;
-    lists.Items[static_cast<std::size_t>(offset)] = static_cast<Id>(place);
-  }
-  return lists;
-}
-
 double SurfaceGround::SizeAt(Id triangle, const Point3& place) const
 {
   const auto t = static_cast<std::size_t>(triangle);
@@ -364,11 +340,14 @@ void LinkGround(SurfaceGround& ground, Pulse& pulse)
     ground.Across[slot] = isInner ? ground.Across[slot] : NoId;
   }
   pulse.Ask();
-  ground.TrianglesAt = PlacesByKey(corners, ground.Mesh.Points.size());
-  for (Id& slot : ground.TrianglesAt.Items)
-  {
-    slot /= 3;
-  }
+  ground.TrianglesAt = IdLists(ground.Mesh.Points.size(),
+    [&corners](const auto& add)
+    {
+      for (std::size_t slot = 0; slot < corners.size(); ++slot)
+      {
+        add(corners[slot], static_cast<Id>(slot / 3));
+      }
+    });
 }
 
 } // namespace biting

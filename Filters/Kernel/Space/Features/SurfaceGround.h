@@ -4,6 +4,7 @@
 #ifndef BitingSurfaceGround_h
 #define BitingSurfaceGround_h
 
+#include "../../Base/IdLists.h"
 #include "../../Base/Pulse.h"
 #include "../Surface/SurfaceCheck.h"
 
@@ -14,24 +15,6 @@
 
 namespace biting
 {
-
-/// Lists by key, one after the other: those of key k are Items[Offsets[k]] to Items[Offsets[k +
-/// 1]].
-struct ListsByKey
-{
-  std::vector<Id> Offsets{ 0 };
-  std::vector<Id> Items;
-
-  const Id* Begin(Id key) const { return this->Items.data() + this->Offset(key); }
-  const Id* End(Id key) const { return this->Items.data() + this->Offset(key + 1); }
-  Id Count(Id key) const { return this->Offset(key + 1) - this->Offset(key); }
-
-private:
-  Id Offset(Id key) const { return this->Offsets[static_cast<std::size_t>(key)]; }
-};
-
-/// By key, the places of `keys` that have it, in order. Keys are below `count`.
-ListsByKey PlacesByKey(const std::vector<Id>& keys, std::size_t count);
 
 /// Chains of feature edges between corners, or closed.
 struct FeatureChains
@@ -75,7 +58,7 @@ struct SurfaceGround
   std::vector<FeaturePlace> Places;
   std::vector<Id> Pinches; ///< vertices where several fans of triangles meet: corners
   FeatureChains Chains;
-  ListsByKey TrianglesAt; ///< of vertices
+  IdLists TrianglesAt; ///< of vertices
 
   const Point3& NormalOf(std::size_t triangle) const
   {

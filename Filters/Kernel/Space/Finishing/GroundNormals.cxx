@@ -106,7 +106,7 @@ GroundPlace GroundNormals::Project(Id vertex, const Point3& place)
     }
   }
   const Id there = this->NearestOnChain(chain, segment, place, nearest);
-  return { *this->Ground.TrianglesAt.Begin(this->Ground.Chains.At(there)), nearest };
+  return { this->Ground.TrianglesAt[this->Ground.Chains.At(there)][0], nearest };
 }
 
 /// The segment with the nearest place of the chain, by descent.

@@ -168,7 +168,7 @@ protected:
   }
 
   /// After flips.
-  void ListSlots() { this->SlotsAt = PlacesByKey(this->Mesh.Corners, this->Mesh.Points.size()); }
+  void ListSlots() { this->SlotsAt = PlacesByOwner(this->Mesh.Corners, this->Mesh.Points.size()); }
 
   /// Moves the vertex to the place on the ground, or on its chain, if no triangle of its star is
   /// worse then than the worst one was, or than `good`, and none as far from the ground as `far`.
@@ -191,9 +191,9 @@ protected:
     double before = 0.0;
     double after = 0.0;
     bool agrees = true;
-    for (const Id* s = this->SlotsAt.Begin(vertex); s < this->SlotsAt.End(vertex); ++s)
+    for (const Id s : this->SlotsAt[vertex])
     {
-      const std::size_t slot = At(*s);
+      const std::size_t slot = At(s);
       Triangle t = this->TriangleAt(slot);
       before = std::max(before, WorstCosine(t));
       const Point3 normal = UnitNormal(t);
@@ -293,7 +293,7 @@ protected:
   /// Whether all triangles at the vertex are.
   bool IsNearer(Id vertex, double far) const
   {
-    return std::all_of(this->SlotsAt.Begin(vertex), this->SlotsAt.End(vertex),
+    return std::all_of(this->SlotsAt[vertex].begin(), this->SlotsAt[vertex].end(),
       [this, far](Id slot) { return this->DeviationOf(At(slot) / 3) < far; });
   }
 
@@ -301,9 +301,9 @@ protected:
   double DeviationAt(Id vertex) const
   {
     double most = 0.0;
-    for (const Id* s = this->SlotsAt.Begin(vertex); s < this->SlotsAt.End(vertex); ++s)
+    for (const Id s : this->SlotsAt[vertex])
     {
-      most = std::max(most, this->DeviationOf(At(*s) / 3));
+      most = std::max(most, this->DeviationOf(At(s) / 3));
     }
     return most;
   }
@@ -315,7 +315,7 @@ protected:
   Id Now = 0;              ///< the number of changes
   GroundPatches Patches;
   ChainPlaces Places;
-  ListsByKey SlotsAt; ///< of vertices
+  IdLists SlotsAt; ///< of vertices
 };
 
 /// The order of the steps.
@@ -460,10 +460,10 @@ private:
   {
     Point3 sum{};
     double mass = 0.0;
-    for (const Id* s = this->SlotsAt.Begin(vertex); s < this->SlotsAt.End(vertex); ++s)
+    for (const Id s : this->SlotsAt[vertex])
     {
-      const Triangle t = this->TriangleAt(At(*s));
-      const double size = this->SizeOf(At(*s) / 3);
+      const Triangle t = this->TriangleAt(At(s));
+      const double size = this->SizeOf(At(s) / 3);
       const double own = Length(Cross(t[1] - t[0], t[2] - t[0])) / (size * size * size * size);
       sum = sum + (own / 3.0) * (t[0] + t[1] + t[2]);
       mass += own;
