@@ -157,7 +157,7 @@ Topology TopologyOf(std::size_t size, const std::vector<Id>& corners)
   return topology;
 }
 
-std::string JudgeTopology(const BitingSurface& mesh, const SurfaceMesh& input)
+std::string JudgeTopology(const BitingSurface& mesh, const SurfaceMesh& input, bool isCut)
 {
   const Topology wanted = TopologyOf(input.Points.size(), input.Corners);
   const Topology topology = TopologyOf(mesh.Points.size(), mesh.Corners);
@@ -175,9 +175,10 @@ std::string JudgeTopology(const BitingSurface& mesh, const SurfaceMesh& input)
     }
     return text;
   }
-  // Fins that are far thinner than f may go.
-  if (wanted.Crowded == 0 &&
-    ((topology.Borders > 0) != (wanted.Borders > 0) || topology.Crowded > 0))
+  // Fins that are far thinner than f may go, if that is told.
+  if (!(isCut && wanted.Crowded > 0) &&
+    ((topology.Borders > 0) != (wanted.Borders > 0) ||
+      (topology.Crowded > 0) != (wanted.Crowded > 0)))
   {
     return std::to_string(topology.Borders) + " edges with one triangle and " +
       std::to_string(topology.Crowded) + " with more than two for " +
@@ -293,7 +294,7 @@ std::string JudgeSurface(
   {
     return "volume " + std::to_string(volume) + " for " + std::to_string(figures.Volume);
   }
-  for (const std::string& wrong : { JudgeArrays(mesh, surface), JudgeTopology(mesh, checked.Mesh),
+  for (const std::string& wrong : { JudgeArrays(mesh, surface), JudgeTopology(mesh, checked.Mesh, isCut),
          JudgeDistances(mesh, checked.Mesh, size, isCut) })
   {
     if (!wrong.empty())

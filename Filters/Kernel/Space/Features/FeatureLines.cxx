@@ -67,6 +67,7 @@ public:
   void Run()
   {
     this->Ground.Chains = {};
+    this->Ground.Vanished.clear();
     this->FindPlaces();
     // From corners first; what is left are closed chains without one.
     for (const bool isFromCorners : { true, false })
@@ -197,6 +198,10 @@ public:
       if (!path.empty() && path.front() == path.back() && this->IsCorner(path.front()) &&
         this->IsShort(entry.second, 3.0))
       {
+        if (this->Ground.Chains.Kinds[entry.second] != SurfaceEdgeKind::Feature)
+        {
+          this->Ground.Vanished.push_back(path.front());
+        }
         this->Paths[entry.second].clear();
       }
     }

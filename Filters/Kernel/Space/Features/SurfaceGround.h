@@ -58,6 +58,7 @@ struct SurfaceGround
   std::vector<FeaturePlace> Places;
   std::vector<Id> Pinches; ///< vertices where several fans of triangles meet: corners
   FeatureChains Chains;
+  std::vector<Id> Vanished; ///< vertices where fins, or holes, are too small to have chains
   IdLists TrianglesAt; ///< of vertices
 
   const Point3& NormalOf(std::size_t triangle) const

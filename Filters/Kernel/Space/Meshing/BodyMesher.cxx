@@ -192,6 +192,7 @@ private:
       this->Options.MaximumNumberOfBites > 0 ? left(this->Options.MaximumNumberOfBites) : most + 1;
     this->Inside = BiteInterior(
       boundary, this->Options.Shape, std::min(wanted, most), pulse, this->Options.BitingConstant);
+    RoundPoints(this->Inside.Centers, this->Options.Surface.Origin);
     this->IsCutShort = this->Inside.Centers.size() > wanted;
     return this->Inside.Centers.size() > most && !this->IsCutShort ? this->RefuseSize()
                                                                    : MayGoOn(this->Problems, pulse);

@@ -110,6 +110,12 @@ public:
          round < this->RoundsForFar && isDone && this->MayGoOn() && this->BiteWhereFar(); ++round)
     {
     }
+    for (const Id vertex : this->Ground.Vanished)
+    {
+      this->Problems.Add({ ProblemCode::LostFeatures, {}, this->Ground.Mesh.Points[At(vertex)],
+        "a hole, or a wall at an edge of more than two triangles, that is smaller than a tenth of "
+        "the spacing" });
+    }
     return isDone && this->IsCertified() && this->MayGoOn();
   }
 
@@ -128,6 +134,7 @@ private:
       this->RefuseSize();
       return;
     }
+    RoundPoints(this->Bites.Centers, this->Options.Origin);
     this->Boundary =
       FindBoundary(this->Surface.Mesh, this->Ground, this->Bites, this->Tree, this->Beats);
   }
@@ -621,6 +628,12 @@ void MovePoints(std::vector<Point3>& points, const Point3& way)
   {
     point = point + way;
   }
+}
+
+void RoundPoints(std::vector<Point3>& points, const Point3& origin)
+{
+  MovePoints(points, origin);
+  MovePoints(points, -1.0 * origin);
 }
 
 } // namespace biting

@@ -50,6 +50,9 @@ struct SurfaceMesherOptions
   bool Relaxation = true;
 
   bool KeepBites = false; ///< fill the bites of the result
+
+  /// The mesh is moved by that way in the end: bites lie where this rounds no coordinate.
+  Point3 Origin;
 };
 
 enum class SurfaceVertexKind : std::uint8_t

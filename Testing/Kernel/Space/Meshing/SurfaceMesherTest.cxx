@@ -281,6 +281,22 @@ TEST(SurfaceMesher, MakesCornersOneThatAreNear)
   }
 }
 
+TEST(SurfaceMesher, KeepsFinsOrTellsThatTheyAreTooSmall)
+{
+  for (const double size : { 0.2, 0.7 })
+  {
+    Soup soup;
+    soup.AddBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, 16);
+    soup.Add({ 0.5, 0.5, 1.0 }, { 0.5625, 0.5, 1.0 }, { 0.53125, 0.5, 1.03 });
+    const Meshed meshed = MakeMesh(soup, Uniform(size));
+    ASSERT_FALSE(meshed.Problems.HasErrors()) << size;
+    const std::vector<SurfaceEdgeKind>& kinds = meshed.Mesh.EdgeKinds;
+    const bool isKept = std::count(kinds.begin(), kinds.end(), SurfaceEdgeKind::NonManifold) > 0;
+    EXPECT_EQ(isKept, size < 0.5);
+    EXPECT_EQ(meshed.Problems.Count(ProblemCode::LostFeatures), isKept ? 0 : 1);
+  }
+}
+
 TEST(SurfaceMesher, DividesLinesAlongEachOtherInTurn)
 {
   // A plate a third of the spacing thick: triangles of its rim with aligned vertices would have
