@@ -52,8 +52,9 @@
  * named); a source without values; too many vertices. The mesh is checked before it is handed out:
  * closed where the input is, each facet within 60 degrees of the surface, the Euler number, the
  * area and the volume of each part, all feature lines there, no self-crossing. Warnings: what was
- * repaired; feature lines that were given up, and edges too sharp for f that were cut off, where
- * facets may turn by more and the mesh be up to f / 2 away. Empty input: empty outputs.
+ * repaired; fins and holes too small for f, feature lines that were given up, and edges too sharp
+ * for f that were cut off, where facets may turn by more and points of the surface be up to 1.5 f
+ * away. Empty input: empty outputs.
  *
  * The outputs depend on neither the number of threads nor that of ranks.
  */

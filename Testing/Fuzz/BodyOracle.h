@@ -33,9 +33,9 @@ struct BodyOutcome
 /// value per item, within their range.
 /// The surface has the parts of the input with their Euler numbers, and edges of one or more than
 /// two triangles exactly if the input has some, but where fins are told to be lost; it is within
-/// f / 2 of the input, but where sharp edges were cut off, and the input within f of it. Volumes
-/// are off by at most the area times f / 2. Tetrahedra are positive; each facet has a neighbor or
-/// is in the boundary, which is closed; no vertex is unused.
+/// f / 2 of the input, and the input within f of it; within f, and 1.5 f, where edges are told to
+/// be cut off. Volumes are off by at most the area times f / 2. Tetrahedra are positive; each facet
+/// has a neighbor or is in the boundary, which is closed; no vertex is unused.
 /// `isRepeated`: with four threads, once more, and the same bytes.
 BodyOutcome RunSurfaceCase(const SurfaceCase& surface, bool isRepeated);
 

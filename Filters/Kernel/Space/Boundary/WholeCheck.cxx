@@ -147,21 +147,22 @@ WholeVerdict CheckWhole(const CheckedSurface& surface, const std::vector<Point3>
     }
     part = own;
   }
+  std::vector<std::uint8_t> isTaken(parts.size(), 0);
   for (std::size_t root = 0; root < wanted.size(); ++root)
   {
     if (wanted[root].Triangle == NoId)
     {
       continue;
     }
+    const Id part = partOn[root];
     const bool isClosed = surface.Shells.IsSolid(At(wanted[root].Triangle));
-    const std::string what = partOn[root] == NoId
-      ? "a part is missing"
-      : Compare(parts[At(partOn[root])], wanted[root], isClosed);
+    const std::string what = part == NoId ? "a part is missing"
+      : isTaken[At(part)]++ != 0          ? "a part that became one with another"
+                                          : Compare(parts[At(part)], wanted[root], isClosed);
     if (!what.empty())
     {
       refuse(wanted[root].Triangle, what);
-      verdict.IsCoarse =
-        partOn[root] != NoId && parts[At(partOn[root])].Euler == wanted[root].Euler;
+      verdict.IsCoarse = part != NoId && parts[At(part)].Euler == wanted[root].Euler;
       return verdict;
     }
   }
