@@ -12,8 +12,7 @@
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 
-#include <algorithm> // for max, min
-#include <cstdint>   // for counts
+#include <algorithm> // for max
 #include <utility>   // for move
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -147,10 +146,9 @@ bool vtkBitingSpaceMesher::Execution::Check()
     const bool isMeshed = group.Code == biting::ProblemCode::NonManifoldEdges ||
       group.Code ==
         (this->TakesOpen() ? biting::ProblemCode::OpenEdges : biting::ProblemCode::PinchedVertices);
-    const auto kept = static_cast<std::int64_t>(group.First.size());
-    for (std::int64_t k = 0; k < group.Count && !isMeshed; ++k) // all are counted
+    if (!isMeshed)
     {
-      this->Problems.Add(group.First[static_cast<std::size_t>(std::min(k, kept - 1))]);
+      this->Problems.Add(group);
     }
   }
   const std::vector<biting::Id>& cells = this->Surface.Mesh.Cells;

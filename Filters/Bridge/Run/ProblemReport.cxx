@@ -12,7 +12,7 @@
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>   // for all_of
+#include <algorithm>   // for all_of, any_of
 #include <cmath>       // for isfinite
 #include <numeric>     // for iota
 #include <sstream>     // for texts
@@ -103,14 +103,13 @@ constexpr std::array<Wording, NumberOfProblemKinds + 1> Wordings = { {
   { "Folds", "Folds, neighbors that lie on each other", "cell", "cell", "Unfold them." },
   { "SelfCrossings", "Self-crossings", "cell", "cell", "Cut the surface there, or move it apart." },
   { "NotOrientable", "Surfaces with one side only", "cell", "cell", "They bound nothing." },
-  { "DuplicateTriangles", "Duplicate triangles", "cell", "cell",
-    "They were left out; walls of two regions were made alike." },
+  { "DuplicateTriangles", "Duplicate triangles", "cell", "cell", "They were left out." },
   { "InconsistentEdges", "Triangles oriented against each other", "cell", "cell",
     "They were turned." },
   { "SurfaceTouches", "Touches within rounding", "cell", "cell", "" },
   { "UnmatchedSides", "Sides that Periodic Translation does not map onto others", "cell", "",
     "Draw both sides alike, or correct the translation." },
-  { "TooThin", "Walls too near to each other for the spacing", "cell", "",
+  { "TooThin", "Walls too near to each other, or shapes too fine, for the spacing", "cell", "",
     "Choose a smaller spacing there." },
   { "TooSharp", "Faces at too small an angle for the spacing", "cell", "",
     "Choose a smaller spacing there, or a larger Feature Angle." },
@@ -396,7 +395,13 @@ std::string MessageFrom(const ProblemGroup& group, const PlanarInput& input)
 
 std::string MessageInSpace(const ProblemGroup& group)
 {
-  const std::string advice = WordingOf(group.Code).Advice;
+  // Of duplicates those with a detail: JoinSharedWalls.
+  const bool areWalls = group.Code == ProblemCode::DuplicateTriangles &&
+    std::any_of(group.First.begin(), group.First.end(),
+      [](const Problem& problem) { return !problem.Detail.empty(); });
+  const std::string advice = areWalls
+    ? "Walls that two regions have, each its own, were made alike; other triangles were left out."
+    : WordingOf(group.Code).Advice;
   const bool hasPlace = group.Code != ProblemCode::TooManyVertices;
   return FactsOf(group, hasPlace ? PlaceText(group.First.front().Place) : "") +
     (advice.empty() ? "" : " ") + advice;

@@ -13,18 +13,29 @@ namespace biting
 
 void ProblemList::Add(Problem problem)
 {
-  auto group = std::find_if(this->Kinds.begin(), this->Kinds.end(),
-    [&problem](const ProblemGroup& g) { return g.Code == problem.Code; });
-  if (group == this->Kinds.end())
+  ProblemGroup& group = this->GroupOf(problem.Code);
+  ++group.Count;
+  if (group.First.size() < KeptPerKind)
   {
-    this->Kinds.push_back({ problem.Code, 0, {} });
-    group = this->Kinds.end() - 1;
+    group.First.push_back(std::move(problem));
   }
-  ++group->Count;
-  if (group->First.size() < KeptPerKind)
+}
+
+void ProblemList::Add(const ProblemGroup& group)
+{
+  for (const Problem& problem : group.First)
   {
-    group->First.push_back(std::move(problem));
+    this->Add(problem);
   }
+  this->GroupOf(group.Code).Count += group.Count - static_cast<std::int64_t>(group.First.size());
+}
+
+ProblemGroup& ProblemList::GroupOf(ProblemCode code)
+{
+  const auto group = std::find_if(this->Kinds.begin(), this->Kinds.end(),
+    [code](const ProblemGroup& one) { return one.Code == code; });
+  return group == this->Kinds.end() ? this->Kinds.emplace_back(ProblemGroup{ code, 0, {} })
+                                    : *group;
 }
 
 std::int64_t ProblemList::Count(ProblemCode code) const

@@ -106,12 +106,15 @@ public:
   static constexpr std::size_t KeptPerKind = 10000;
 
   void Add(Problem problem);
+  void Add(const ProblemGroup& group); ///< all that it counts
   std::int64_t Count(ProblemCode code) const;
   bool Has(ProblemCode code) const { return this->Count(code) > 0; }
   bool HasErrors() const;
   const std::vector<ProblemGroup>& Groups() const { return this->Kinds; }
 
 private:
+  ProblemGroup& GroupOf(ProblemCode code);
+
   std::vector<ProblemGroup> Kinds;
 };
 

@@ -90,7 +90,8 @@ private:
 
 std::string Difference(const char* what, double is, double wanted)
 {
-  return std::string(what) + " " + Figure(is) + " in place of " + Figure(wanted);
+  return std::string("the mesh of this part has ") + what + " " + Figure(is) + ", not " +
+    Figure(wanted);
 }
 
 /// Text for what differs; empty where nothing does.

@@ -194,7 +194,8 @@ private:
     {
       if (std::abs(volumes[label] - given[label]) > MostShare * std::abs(given[label]))
       {
-        this->Refuse("volume " + Figure(volumes[label]) + " in place of " + Figure(given[label]),
+        this->Refuse("the mesh of this body has volume " + Figure(volumes[label]) + ", not " +
+            Figure(given[label]),
           this->VertexOf(static_cast<Id>(label)));
       }
     }

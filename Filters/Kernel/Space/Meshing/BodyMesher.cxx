@@ -94,8 +94,13 @@ private:
     const std::array<Id, 2> folded = this->Bodies.Folded;
     if (folded[0] == NoId)
     {
-      this->Refuse(ProblemCode::OpenEdges, mesh.Middle(At(this->Bodies.OpenTriangle)),
-        "it has the same part of space on both sides");
+      const std::vector<SurfaceEdgeKind>& kinds = this->Surface.EdgeKinds;
+      const auto border = std::find(kinds.begin(), kinds.end(), SurfaceEdgeKind::Border);
+      const Id* ends = this->Surface.EdgeEnds.data() + 2 * (border - kinds.begin());
+      this->Refuse(ProblemCode::OpenEdges,
+        border == kinds.end() ? mesh.Middle(At(this->Bodies.OpenTriangle))
+                              : Midpoint(mesh.Points[At(ends[0])], mesh.Points[At(ends[1])]),
+        "the same part of space is on both sides of the surface");
       return;
     }
     this->Problems.Add(

@@ -126,6 +126,10 @@ private:
 
   void Bite()
   {
+    if (this->Problems.HasErrors())
+    {
+      return;
+    }
     MergeCorners(this->Ground);
     this->Bites = BiteSurface(
       this->Ground, static_cast<std::size_t>(this->Options.MaximumNumberOfVertices), this->Beats);
@@ -230,28 +234,26 @@ private:
       LinkGround(ground, this->Beats);
     }
     this->Tree = MakeSurfaceTree(this->Surface.Mesh, this->Beats);
-    this->CapSizes();
-    this->CheckCappedSizes();
+    if (this->FitsLimit())
+    {
+      this->CapSizes();
+    }
   }
 
-  /// Refuses a ground whose capped f surely asks for too many vertices: the integral of
-  /// 2 / (sqrt(3) f^2), as in ExpectedVertices.
-  void CheckCappedSizes()
+  /// Whether the ground does not surely have too many vertices; else refuses it.
+  bool FitsLimit()
   {
     constexpr double Surely = 1.5;
-    const SurfaceMesh& mesh = this->Ground.Mesh;
-    double wanted = 0.0;
-    for (std::size_t t = 0; t < mesh.NumberOfTriangles(); ++t)
-    {
-      const double size = this->Ground.SizeAt(static_cast<Id>(t), mesh.Middle(t));
-      wanted += Length(mesh.Normal(t)) / (std::sqrt(3.0) * size * size);
-    }
-    if (wanted > Surely * static_cast<double>(this->Options.MaximumNumberOfVertices))
+    const double wanted = ExpectedVertices(this->Ground);
+    const bool fits = wanted <= Surely * static_cast<double>(this->Options.MaximumNumberOfVertices);
+    if (!fits)
     {
       this->Refuse(ProblemCode::TooManyVertices, {}, NoId,
-        "about " + Figure(wanted) + " vertices on the surface, as walls, features and curvature " +
-          "cap the spacing; at most " + std::to_string(this->Options.MaximumNumberOfVertices));
+        "at least " + Figure(wanted) + " vertices on the surface, with a spacing that walls, " +
+          "features and curvature cap; at most " +
+          std::to_string(this->Options.MaximumNumberOfVertices));
     }
+    return fits;
   }
 
   void CapSizes()
@@ -266,7 +268,9 @@ private:
     // Where caps divide the ground it sees more: from its new vertices.
     constexpr int MostDivisions = 3;
     std::size_t seen = 0;
-    for (int round = 0; round < MostDivisions && seen < ground.Mesh.Points.size(); ++round)
+    for (int round = 0;
+         round < MostDivisions && seen < ground.Mesh.Points.size() && !this->Problems.HasErrors();
+         ++round)
     {
       const std::size_t before = ground.Mesh.Points.size();
       CapByFeatures(ground, this->Beats);
@@ -282,7 +286,10 @@ private:
     SurfaceGround& ground = this->Ground;
     GradeSizes(ground, this->Options.Gradation, this->Beats);
     const std::size_t before = ground.Mesh.Points.size();
-    this->Divide();
+    if (this->FitsLimit())
+    {
+      this->Divide();
+    }
     if (ground.Mesh.Points.size() > before)
     {
       LinkGround(ground, this->Beats);

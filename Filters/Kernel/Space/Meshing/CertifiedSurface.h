@@ -82,13 +82,13 @@ auto MeshNearOrigin(const CheckedSurface& surface, const SurfaceMesherOptions& o
   }
   ProblemList found;
   auto mesh = make(moved, movedOptions, found);
-  for (const ProblemGroup& group : found.Groups())
+  for (ProblemGroup group : found.Groups())
   {
-    for (Problem problem : group.First)
+    for (Problem& problem : group.First)
     {
       problem.Place = problem.Place + origin;
-      problems.Add(problem);
     }
+    problems.Add(group);
   }
   move(mesh, origin);
   return mesh;
