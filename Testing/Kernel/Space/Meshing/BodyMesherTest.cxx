@@ -260,6 +260,8 @@ TEST(BodyMesher, RefusesWhatCannotBeWithAReason)
   };
   const ValuedSoup box = Plain(BoxBetween({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }));
   EXPECT_TRUE(refuses(Plain(open), 0.2, ProblemCode::OpenEdges));
+  const Problem hole = MakeBody(Plain(open), 0.2).Problems.Groups().front().First.front();
+  EXPECT_EQ(hole.Place.X, 0.0); // of the triangle that is missing
   EXPECT_TRUE(refuses(box, 0.001, ProblemCode::TooManyVertices));
   EXPECT_TRUE(refuses(box, 0.03, ProblemCode::TooManyVertices)); // inside only
   EXPECT_TRUE(refuses(box, 0.0, ProblemCode::BadSpacing));

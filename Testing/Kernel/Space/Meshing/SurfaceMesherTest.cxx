@@ -523,6 +523,12 @@ TEST(SurfaceMesher, RefusesWhatCannotBeWithAReason)
   const Meshed many = MakeMesh(BoxOf({ 1.0, 1.0, 1.0 }), options);
   EXPECT_TRUE(many.Problems.Has(ProblemCode::TooManyVertices));
   EXPECT_TRUE(many.Mesh.Points.empty());
+  // A needle whose faces alone would have some 500, before it is bitten.
+  options = Uniform(0.001);
+  options.MaximumNumberOfVertices = 2000;
+  const Meshed lines = MakeMesh(BoxOf({ 1.0, 1e-4, 1e-4 }), options);
+  ASSERT_TRUE(lines.Problems.Has(ProblemCode::TooManyVertices));
+  EXPECT_EQ(lines.Problems.Groups().front().First.front().Detail.rfind("at least 4e+03", 0), 0u);
   const Meshed none = MakeMesh(BoxOf({ 1.0, 1.0, 1.0 }), Uniform(0.0));
   EXPECT_TRUE(none.Problems.Has(ProblemCode::BadSpacing));
   EXPECT_TRUE(MakeMesh(Soup(), Uniform(0.1)).Problems.Groups().empty());
