@@ -6,6 +6,7 @@
 #include "../Surface/NearestOnTriangle.h"
 
 #include <algorithm> // for find_first_of
+#include <cmath>     // for abs
 
 namespace biting
 {
@@ -47,6 +48,7 @@ GroundPlace GroundPatches::Project(Id triangle, const Point3& place) const
   double least = Distance(best.Place, place);
   const Id patch = this->PatchOf(triangle);
   constexpr int MostSteps = 64;
+  constexpr double Nearer = 1.0 - 1e-12;
   bool isNearer = true;
   for (int step = 0; step < MostSteps && isNearer && least > 0.0; ++step)
   {
@@ -57,6 +59,12 @@ GroundPlace GroundPatches::Project(Id triangle, const Point3& place) const
       const Id vertex = mesh.Corners[slot];
       for (const Id t : this->Ground.TrianglesAt[vertex])
       {
+        // Where its plane is no nearer, it is not: so on plane ground a foot is the nearest.
+        const Point3& corner = mesh.At(3 * At(t));
+        if (std::abs(Dot(this->Ground.NormalOf(At(t)), place - corner)) >= Nearer * least)
+        {
+          continue;
+        }
         const auto corners = mesh.Corners.begin() + 3 * t;
         const bool isSeen = std::find_first_of(corners, corners + 3, mesh.Corners.begin() + base,
                               mesh.Corners.begin() + slot) != corners + 3; // at an earlier vertex
@@ -66,7 +74,7 @@ GroundPlace GroundPatches::Project(Id triangle, const Point3& place) const
         }
         const Point3 foot = NearestPoint(mesh.Triangle(At(t)), place);
         const double distance = Distance(foot, place);
-        if (distance < (1.0 - 1e-12) * least)
+        if (distance < Nearer * least)
         {
           least = distance;
           best = { t, foot };
