@@ -230,25 +230,6 @@ void ReadPoints(const Drawing& drawing, SurfaceMesh& mesh, Pulse& pulse)
     });
 }
 
-std::string RefuseBadPoints(const SurfaceMesh& mesh, const std::vector<Id>& used)
-{
-  std::vector<std::string> first;
-  std::int64_t count = 0;
-  for (const Id point : used)
-  {
-    const Point3& place = mesh.Points[static_cast<std::size_t>(point)];
-    const bool isGood = std::all_of(place.begin(), place.end(),
-      [](double value) { return std::abs(value) <= GreatestCoordinate3; });
-    if (!isGood && ++count <= static_cast<std::int64_t>(ShownIds))
-    {
-      first.push_back("point " + std::to_string(point) + " at " + PlaceText(place));
-    }
-  }
-  return count == 0 ? ""
-                    : "Coordinates that are not finite, or too large to compute with (" +
-      std::to_string(count) + "): " + ListText(first, count) + ". Correct or remove these points.";
-}
-
 } // namespace
 
 std::string SurfaceFromDrawing(const Drawing& drawing, GivenSurface& surface, Monitor& monitor)
@@ -285,10 +266,21 @@ std::string SurfaceFromDrawing(const Drawing& drawing, GivenSurface& surface, Mo
       used.push_back(static_cast<Id>(point));
     }
   }
-  const std::string refusal = RefuseBadPoints(surface.Mesh, used);
-  if (refusal.empty() && !used.empty())
+  if (used.empty())
   {
-    const double* coordinates = surface.Mesh.Points.front().Data();
+    return {};
+  }
+  const double* coordinates = surface.Mesh.Points.front().Data();
+  const std::string refusal = RefuseWhereNot(
+    [](const double* place)
+    {
+      return std::all_of(
+        place, place + 3, [](double value) { return std::abs(value) <= GreatestCoordinate3; });
+    },
+    used, coordinates, "Coordinates that are not finite, or too large to compute with",
+    "Correct or remove these points.");
+  if (refusal.empty())
+  {
     surface.Rounding = RoundingOfCoordinates(drawing.CoordinateType(), coordinates, used, pulse);
   }
   return refusal;

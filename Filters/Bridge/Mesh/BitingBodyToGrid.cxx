@@ -18,7 +18,6 @@
 
 #include <algorithm> // for transform
 #include <numeric>   // for iota
-#include <sstream>   // for figures
 #include <utility>   // for move
 
 namespace biting
@@ -95,15 +94,13 @@ std::string BitingBodyToGrid(BitingBody& body, const CheckedSurface& surface,
     figures->AddArray(boundary->GetFieldData()->GetArray(name));
   }
   AddFigure(figures, "Volume", volume);
-  std::ostringstream text;
-  text.precision(3);
-  text << "Largest deviation from the surface: "
-       << figures->GetArray("LargestDeviation")->GetComponent(0, 0) << " f\nVolume: ";
-  text.precision(6);
-  text << volume
-       << "\nEuler number of the boundary: " << figures->GetArray("EulerNumber")->GetComponent(0, 0)
-       << "\n";
-  return measured.Summary() + text.str() + CapsText(body.Boundary.AskedVertices, vertices);
+  const auto figure = [figures](const char* name, int digits)
+  { return Figure(figures->GetArray(name)->GetComponent(0, 0), digits); };
+  return measured.Summary() +
+    "Largest deviation from the surface: " + figure("LargestDeviation", 3) +
+    " f\nVolume: " + figure("Volume", 6) +
+    "\nEuler number of the boundary: " + figure("EulerNumber", 6) + "\n" +
+    CapsText(body.Boundary.AskedVertices, vertices);
 }
 
 } // namespace biting

@@ -7,6 +7,7 @@
 #include "../../Kernel/Quality/Quality.h"
 #include "../Data/ArrayFromVector.h"
 #include "../Data/CarriedArrays.h"
+#include "MeshToPolyData.h"
 #include "SurfaceToPolyData.h"
 
 #include "vtkCellData.h"
@@ -17,7 +18,6 @@
 
 #include <algorithm> // for max, min, sort, transform, unique
 #include <numeric>   // for iota
-#include <sstream>   // for figures
 #include <utility>   // for edges
 
 namespace biting
@@ -26,16 +26,8 @@ namespace biting
 namespace
 {
 
-// The measures of vertices and triangles, and of the whole.
-struct SurfaceQuality
+struct SurfaceQuality : MeshQuality
 {
-  std::vector<double> NearestNeighborDistance;
-  std::vector<double> Conformity;
-  std::vector<double> MinimumAngle;
-  std::vector<double> RadiusEdgeRatio;
-  std::vector<double> AspectRatio;
-  double SmallestAngle = 180.0;
-  double MeanConformity = 0.0;
   double LargestDeviation = 0.0;
   double Edges = 0.0;
 
@@ -46,8 +38,9 @@ private:
 };
 
 SurfaceQuality::SurfaceQuality(const BitingSurface& mesh)
-  : NearestNeighborDistance(mesh.Points.size(), Infinity)
 {
+  this->NearestNeighborDistance.assign(mesh.Points.size(), Infinity);
+  this->SmallestAngle = 180.0;
   std::vector<std::pair<Id, Id>> edges;
   for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
   {
@@ -100,21 +93,11 @@ void SurfaceQuality::AddTriangle(const BitingSurface& mesh, std::size_t triangle
 }
 
 // The values of `of` at the places that `ids` number.
-template <typename Value>
-std::vector<Id> Picked(const std::vector<Value>& of, const std::vector<Id>& ids)
+std::vector<Id> Picked(const std::vector<Id>& of, const std::vector<Id>& ids)
 {
   std::vector<Id> picked(ids.size());
-  std::transform(ids.begin(), ids.end(), picked.begin(),
-    [&of](Id id) { return static_cast<Id>(of[static_cast<std::size_t>(id)]); });
+  std::transform(ids.begin(), ids.end(), picked.begin(), [&of](Id id) { return of[At(id)]; });
   return picked;
-}
-
-std::vector<std::uint8_t> KindsOf(const BitingSurface& mesh)
-{
-  std::vector<std::uint8_t> kinds(mesh.Kinds.size());
-  std::transform(mesh.Kinds.begin(), mesh.Kinds.end(), kinds.begin(),
-    [](SurfaceVertexKind kind) { return static_cast<std::uint8_t>(kind); });
-  return kinds;
 }
 
 double EulerNumberOf(const BitingSurface& mesh, const SurfaceQuality& quality)
@@ -134,14 +117,13 @@ void AddFigures(const BitingSurface& mesh, const SurfaceQuality& quality, vtkFie
 
 std::string SummaryOf(const BitingSurface& mesh, const SurfaceQuality& quality)
 {
-  std::ostringstream text;
-  text.precision(3);
-  text << mesh.Points.size() << " vertices, " << mesh.Triangles.size()
-       << " triangles\nEuler number: " << static_cast<std::int64_t>(EulerNumberOf(mesh, quality))
-       << "\nSmallest angle: " << quality.SmallestAngle
-       << " degrees\nMean conformity: " << quality.MeanConformity
-       << "\nLargest deviation from the surface: " << quality.LargestDeviation << " f\n";
-  return text.str() + CapsText(mesh.AskedVertices, mesh.Points.size());
+  return std::to_string(mesh.Points.size()) + " vertices, " +
+    std::to_string(mesh.Triangles.size()) +
+    " triangles\nEuler number: " + Figure(EulerNumberOf(mesh, quality), 9) +
+    "\nSmallest angle: " + Figure(quality.SmallestAngle) +
+    " degrees\nMean conformity: " + Figure(quality.MeanConformity) +
+    "\nLargest deviation from the surface: " + Figure(quality.LargestDeviation) + " f\n" +
+    CapsText(mesh.AskedVertices, mesh.Points.size());
 }
 
 } // namespace
@@ -162,12 +144,9 @@ std::string BitingSurfaceToPolyData(const BitingSurface& mesh, const CheckedSurf
   SetTriangles(mesh.Points, mesh.Corners, VTK_DOUBLE, output, pulse);
   const SurfaceQuality quality(mesh);
   vtkPointData* pointData = output->GetPointData();
-  AddArray<vtkDoubleArray>(pointData, "Spacing", mesh.Spacing, pulse);
-  AddArray<vtkDoubleArray>(
-    pointData, "NearestNeighborDistance", quality.NearestNeighborDistance, pulse);
-  AddArray<vtkDoubleArray>(pointData, "Conformity", quality.Conformity, pulse);
+  AddConformityArrays(quality, mesh.Spacing, pointData, pulse);
   AddArray<vtkIntArray>(pointData, "BiteOrder", mesh.BiteOrders, pulse);
-  AddArray<vtkUnsignedCharArray>(pointData, "VertexKind", KindsOf(mesh), pulse);
+  AddArray<vtkUnsignedCharArray>(pointData, "VertexKind", mesh.Kinds, pulse);
   AddArray<vtkIdTypeArray>(pointData, "OriginalPointId", mesh.OriginalPoints, pulse);
   vtkCellData* cellData = output->GetCellData();
   const std::vector<Id> original = Picked(surface.Mesh.Cells, mesh.Triangles);
@@ -175,9 +154,7 @@ std::string BitingSurfaceToPolyData(const BitingSurface& mesh, const CheckedSurf
   AddArray<vtkIdTypeArray>(cellData, "OriginalCellId", original, pulse);
   AddArray<vtkIdTypeArray>(cellData, "RegionId", mesh.Regions, pulse);
   AddArray<vtkDoubleArray>(cellData, "Deviation", mesh.Deviations, pulse);
-  AddArray<vtkDoubleArray>(cellData, "MinimumAngle", quality.MinimumAngle, pulse);
-  AddArray<vtkDoubleArray>(cellData, "RadiusEdgeRatio", quality.RadiusEdgeRatio, pulse);
-  AddArray<vtkDoubleArray>(cellData, "AspectRatio", quality.AspectRatio, pulse);
+  AddShapeArrays(quality, cellData, pulse);
   cellData->SetActiveScalars("RegionId");
   AddFigures(mesh, quality, output->GetFieldData());
   return SummaryOf(mesh, quality);

@@ -3,6 +3,7 @@
 
 #include "MeasuredTetrahedra.h"
 
+#include "../../Kernel/Base/Problem.h"
 #include "../../Kernel/Base/Pulse.h"
 #include "../../Kernel/Quality/Histogram.h"
 #include "../Data/ArrayFromVector.h"
@@ -18,9 +19,8 @@
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <cmath>   // for isfinite
-#include <limits>  // for NaN
-#include <sstream> // for numbers
+#include <cmath>  // for isfinite
+#include <limits> // for NaN
 
 namespace biting
 {
@@ -36,13 +36,6 @@ void AddPair(const std::vector<double>& values, double highest, int bins, const 
   const Histogram histogram = MakeHistogram(values, 0.0, highest, bins);
   AddArray<vtkDoubleArray>(table->GetRowData(), name.c_str(), histogram.Centers);
   AddArray<vtkDoubleArray>(table->GetRowData(), (name + "Percent").c_str(), histogram.Percents);
-}
-
-std::string NumberText(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
 }
 
 } // namespace
@@ -181,11 +174,11 @@ std::string MeasuredTetrahedra::Summary() const
   const TetQuality& quality = this->Quality;
   return std::to_string(quality.NumberOfVertices) + " vertices, " +
     std::to_string(this->Corners.size() / 4) + " tetrahedra\nDihedral angles from " +
-    NumberText(quality.SmallestDihedralAngle) + " to " + NumberText(quality.LargestDihedralAngle) +
+    Figure(quality.SmallestDihedralAngle, 6) + " to " + Figure(quality.LargestDihedralAngle, 6) +
     " degrees\nSlivers: " + std::to_string(quality.NumberOfSlivers) + "\n" +
     (this->Spacing.empty() ? ""
-                           : "Mean conformity " + NumberText(quality.MeanConformity) +
-          " (best: 1)\nMean length of edges in spacings " + NumberText(quality.MeanRelativeLength) +
+                           : "Mean conformity " + Figure(quality.MeanConformity, 6) +
+          " (best: 1)\nMean length of edges in spacings " + Figure(quality.MeanRelativeLength, 6) +
           "\n");
 }
 

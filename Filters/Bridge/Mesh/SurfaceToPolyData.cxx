@@ -14,8 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <cmath>   // for isnan
-#include <sstream> // for numbers
+#include <cmath> // for isnan
 
 namespace biting
 {
@@ -46,13 +45,6 @@ void AddFigures(const CheckedSurface& surface, const ProblemList& problems, vtkF
   AddArray<vtkDoubleArray>(data, "SmallestThicknessPlace",
     std::vector<double>(surface.Thickness.Place.begin(), surface.Thickness.Place.end()));
   HideFromChoices(data, "SmallestThicknessPlace");
-}
-
-std::string Number(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
 }
 
 } // namespace
@@ -122,13 +114,7 @@ void EdgesToPolyData(const std::vector<Point3>& places, const std::vector<Id>& g
   SetCells(lines, 2, ends);
   output->SetLines(lines);
   AddArray<vtkIdTypeArray>(output->GetPointData(), "MeshPointId", used);
-  std::vector<std::uint8_t> kinds;
-  kinds.reserve(edgeKinds.size());
-  for (const SurfaceEdgeKind kind : edgeKinds)
-  {
-    kinds.push_back(static_cast<std::uint8_t>(kind));
-  }
-  AddArray<vtkUnsignedCharArray>(output->GetCellData(), "EdgeKind", kinds);
+  AddArray<vtkUnsignedCharArray>(output->GetCellData(), "EdgeKind", edgeKinds);
   output->GetCellData()->SetActiveScalars("EdgeKind");
 }
 
@@ -139,11 +125,12 @@ std::string SummaryOf(const CheckedSurface& surface, const ProblemList& problems
     std::to_string(surface.Mesh.NumberOfTriangles()) +
     " triangles\nParts: " + std::to_string(figures.Parts) +
     ", cavities: " + std::to_string(figures.Cavities) +
-    "\nEuler number: " + std::to_string(figures.EulerNumber) + "\nArea: " + Number(figures.Area) +
-    (std::isnan(figures.Volume) ? "" : "\nVolume: " + Number(figures.Volume)) + "\n";
+    "\nEuler number: " + std::to_string(figures.EulerNumber) +
+    "\nArea: " + Figure(figures.Area, 6) +
+    (std::isnan(figures.Volume) ? "" : "\nVolume: " + Figure(figures.Volume, 6)) + "\n";
   if (surface.Thickness.Value > 0.0)
   {
-    text += "Smallest thickness: about " + Number(surface.Thickness.Value) + " at " +
+    text += "Smallest thickness: about " + Figure(surface.Thickness.Value, 6) + " at " +
       PlaceText(surface.Thickness.Place) + "\n";
   }
   const bool isGood = !problems.HasErrors();

@@ -272,7 +272,7 @@ std::string CheckMesherParameters(const BitingMeshOptions& options)
   }
   if (!(options.Phi > 0.0 && options.Phi <= 1.0))
   {
-    return "Phi is " + ValueText(options.Phi) + "; it must be above 0 and at most 1.";
+    return "Phi is " + Figure(options.Phi, 6) + "; it must be above 0 and at most 1.";
   }
   const std::string refusal = CheckMostBites(options.MaximumNumberOfBites);
   return refusal.empty() ? CheckMostVertices(options.MaximumNumberOfVertices) : refusal;

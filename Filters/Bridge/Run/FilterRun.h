@@ -22,7 +22,6 @@
 #include <cmath>            // for isfinite
 #include <functional>       // for steps
 #include <initializer_list> // for inputs
-#include <sstream>          // for values
 #include <string>           // for messages
 #include <vector>           // for shares
 
@@ -142,14 +141,6 @@ private:
 /// Returns 1, as requests do.
 int PassTimes(vtkInformationVector** inputs, int numberOfPorts, vtkInformationVector* outputs);
 
-/// Short, also where the value is large.
-inline std::string ValueText(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 /// Why `value` of the parameter `name` cannot be; empty where it is finite, and 0 or more.
 inline std::string CheckAtLeastZero(const char* name, double value)
 {
@@ -157,7 +148,7 @@ inline std::string CheckAtLeastZero(const char* name, double value)
   {
     return {};
   }
-  return std::string(name) + " is " + ValueText(value) + "; it must be finite, and 0 or more.";
+  return std::string(name) + " is " + Figure(value, 6) + "; it must be finite, and 0 or more.";
 }
 
 /// Of the parameters that mesher and remesher have in common.
@@ -185,7 +176,7 @@ inline std::string CheckSpacingParameters(const SpacingOptions& spacing)
 inline std::string CheckMergeTolerance(double tolerance)
 {
   const std::string refusal = CheckAtLeastZero("Merge Tolerance", tolerance);
-  return refusal.empty() && tolerance >= 1.0 ? "Merge Tolerance is " + ValueText(tolerance) +
+  return refusal.empty() && tolerance >= 1.0 ? "Merge Tolerance is " + Figure(tolerance, 6) +
       "; it is relative to the diagonal of the input, and must be below 1."
                                              : refusal;
 }
@@ -199,7 +190,7 @@ inline std::string CheckBitingConstant(double constant)
 {
   return constant == 0.0 || (constant >= 0.1 && constant <= 1.0) ? ""
                                                                  : "Biting Constant is " +
-      ValueText(constant) + "; it must be 0 (automatic) or within [0.1, 1].";
+      Figure(constant, 6) + "; it must be 0 (automatic) or within [0.1, 1].";
 }
 
 inline std::string CheckMostBites(std::int64_t most)

@@ -15,7 +15,6 @@
 #include <algorithm>   // for all_of, any_of
 #include <cmath>       // for isfinite
 #include <numeric>     // for iota
-#include <sstream>     // for texts
 #include <type_traits> // for decay
 #include <utility>     // for declval
 
@@ -171,20 +170,31 @@ private:
   std::vector<Id> Beside;
 };
 
-void SetKindAndIds(const Problem& problem, ProblemPlace& place)
+std::string IdsText(const Problem& problem, const Wording& wording)
 {
-  place.Kind = problem.Code;
   const std::vector<std::int64_t> ids = ShownIdsOf(problem);
-  place.FirstId = ids.empty() ? -1 : ids[0];
-  place.SecondId = ids.size() < 2 ? -1 : ids[1];
+  if (ids.empty())
+  {
+    return problem.Detail;
+  }
+  const bool hasSecond = ids.size() > 1 && ids[1] >= 0;
+  return std::string(wording.FirstId) + ' ' + std::to_string(ids[0]) +
+    (hasSecond ? std::string(" with ") + wording.SecondId + ' ' + std::to_string(ids[1]) : "");
 }
 
-ProblemPlace PlaceFrom(const Problem& problem, const PlanarInput& input)
+ProblemPlace PlaceAt(const Problem& problem, const Point3& where)
 {
+  const Wording& wording = WordingOf(problem.Code);
+  const std::vector<std::int64_t> ids = ShownIdsOf(problem);
+  const std::string which = IdsText(problem, wording);
   ProblemPlace place;
-  SetKindAndIds(problem, place);
-  place.Place = PlaceInSpace(problem, input);
-  place.Message = MessageOfPlace(problem, input);
+  place.Kind = problem.Code;
+  place.IsError = IsError(problem.Code);
+  place.FirstId = ids.empty() ? -1 : ids[0];
+  place.SecondId = ids.size() < 2 ? -1 : ids[1];
+  place.Place = where;
+  place.Message = std::string(wording.What) + (which.empty() ? "" : ": ") + which + " at " +
+    PlaceText(where) + (ids.empty() || problem.Detail.empty() ? "" : " (" + problem.Detail + ")");
   return place;
 }
 
@@ -210,7 +220,7 @@ void AddGroup(const ProblemGroup& group, const PlanarInput& input, bool isError,
   {
     if (!problem.Ids.empty())
     {
-      places.push_back(PlaceFrom(problem, input));
+      places.push_back(PlaceAt(problem, PlaceInSpace(problem, input)));
       places.back().IsError = isError;
     }
   }
@@ -269,22 +279,6 @@ void AddKinds(const ProblemPlaces& problems, vtkFieldData* data)
   AddArray<vtkIdTypeArray>(data, "ProblemCounts", counts);
   HideFromChoices(data, "ProblemKindNames");
   HideFromChoices(data, "ProblemCounts");
-}
-
-std::string IdsText(const Problem& problem, const Wording& wording)
-{
-  const std::vector<std::int64_t> ids = ShownIdsOf(problem);
-  if (ids.empty())
-  {
-    return problem.Detail;
-  }
-  std::ostringstream text;
-  text << wording.FirstId << ' ' << ids[0];
-  if (ids.size() > 1 && ids[1] >= 0)
-  {
-    text << " with " << wording.SecondId << ' ' << ids[1];
-  }
-  return text.str();
 }
 
 // Which id of the problem is the point of the input where it is; 2 where there is no such point.
@@ -363,12 +357,7 @@ void AddPlacesInSpace(const ProblemList& problems, ProblemPlaces& places)
     }
     for (const Problem& problem : group.First)
     {
-      ProblemPlace place;
-      SetKindAndIds(problem, place);
-      place.IsError = IsError(problem.Code);
-      place.Place = problem.Place;
-      place.Message = MessageInSpace(problem);
-      places.Places.push_back(place);
+      places.Places.push_back(PlaceAt(problem, problem.Place));
     }
     places.Counts[static_cast<std::size_t>(group.Code)] += group.Count;
   }
@@ -439,22 +428,6 @@ std::string NotResolvedMessageFrom(const ProblemList& problems, const PlanarInpu
   return text + " Correct the input, or turn Repair Input on.";
 }
 
-std::string MessageOfPlace(const Problem& problem, const PlanarInput& input)
-{
-  const Wording& wording = WordingOf(problem.Code);
-  const bool hasIds = !ShownIdsOf(problem).empty();
-  return std::string(wording.What) + ": " + IdsText(problem, wording) + " at " +
-    PlaceText(PlaceInSpace(problem, input)) +
-    (hasIds && !problem.Detail.empty() ? " (" + problem.Detail + ")" : "");
-}
-
-std::string MessageInSpace(const Problem& problem)
-{
-  const Wording& wording = WordingOf(problem.Code);
-  return std::string(wording.What) + ": " + IdsText(problem, wording) + " at " +
-    PlaceText(problem.Place) + (problem.Detail.empty() ? "" : " (" + problem.Detail + ")");
-}
-
 std::vector<std::int64_t> ShownIdsOf(const Problem& problem)
 {
   const Wording& wording = WordingOf(problem.Code);
@@ -499,10 +472,8 @@ std::string RefuseWhereNot(const std::function<bool(const double*)>& isGood,
 std::string PlaceText(const Point3& place)
 {
   constexpr int Digits = 12;
-  std::ostringstream text;
-  text.precision(Digits);
-  text << '(' << place[0] << ", " << place[1] << ", " << place[2] << ')';
-  return text.str();
+  return '(' + Figure(place.X, Digits) + ", " + Figure(place.Y, Digits) + ", " +
+    Figure(place.Z, Digits) + ')';
 }
 
 std::string ListText(const std::vector<std::string>& first, std::int64_t count)

@@ -32,7 +32,7 @@ struct ProblemPlace
   vtkIdType FirstId = -1;
   vtkIdType SecondId = -1;
   Point3 Place{ 0.0, 0.0, 0.0 }; ///< in space, finite
-  std::string Message;
+  std::string Message; ///< one line: its kind in words, its ids, its place, and its figures
 };
 
 /// All kinds but Aborted, which is none of the input.
@@ -89,12 +89,6 @@ std::string RefusalFrom(
 /// What was found wrong and left as it is, when repair is switched off: the message for
 /// ProblemCode::NotResolved, with the facts of every repair that would have been needed.
 std::string NotResolvedMessageFrom(const ProblemList& problems, const PlanarInput& input);
-
-/// One problem as one line: its kind in words, its ids, its place, and its figures.
-std::string MessageOfPlace(const Problem& problem, const PlanarInput& input);
-
-/// The same of a problem of space.
-std::string MessageInSpace(const Problem& problem);
 
 /// The ids of `problem` that number points and cells of the input, in the order that its code
 /// states.

@@ -8,7 +8,6 @@
 #include <algorithm> // for clamp, max, min
 #include <cmath>     // for abs, ceil, sqrt
 #include <limits>    // for infinity
-#include <sstream>   // for the share
 
 namespace biting
 {
@@ -68,11 +67,8 @@ void AddTriangle(const Point2& a, const Point2& b, const Point2& c, std::int64_t
 // The warning that says so; the place in space.
 std::string UncoveredText(double share, const Point3& place)
 {
-  std::ostringstream text;
-  text.precision(share < 0.995 ? 2 : 3);
-  text << 100.0 * share;
-  return "The spacing source does not cover " + text.str() + " % of the domain, as near " +
-    PlaceText(place) +
+  return "The spacing source does not cover " + Figure(100.0 * share, share < 0.995 ? 2 : 3) +
+    " % of the domain, as near " + PlaceText(place) +
     ": there the nearest value of its border is used. Both must be in the same coordinates.";
 }
 

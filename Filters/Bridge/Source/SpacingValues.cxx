@@ -14,7 +14,6 @@
 #include <cmath>      // for isfinite
 #include <cstddef>    // for size_t
 #include <functional> // for less
-#include <sstream>    // for the text
 #include <vector>     // for the arrays
 
 namespace biting
@@ -36,9 +35,7 @@ std::string SubjectOf(vtkDataArray* array)
 
 std::string Describe(vtkIdType point, double value, const Point3& place)
 {
-  std::ostringstream text;
-  text << "point " << point << " with " << value << " at " << PlaceText(place);
-  return text.str();
+  return "point " + std::to_string(point) + " with " + Figure(value, 6) + " at " + PlaceText(place);
 }
 
 void AddPlace(
