@@ -83,15 +83,9 @@ public:
   }
 
 private:
-  bool IsCorner(Id vertex) const
-  {
-    return this->Ground.Places[static_cast<std::size_t>(vertex)] == FeaturePlace::Corner;
-  }
+  bool IsCorner(Id vertex) const { return this->Ground.Places[At(vertex)] == FeaturePlace::Corner; }
 
-  const Point3& At(Id vertex) const
-  {
-    return this->Ground.Mesh.Points[static_cast<std::size_t>(vertex)];
-  }
+  const Point3& PointAt(Id vertex) const { return this->Ground.Mesh.Points[At(vertex)]; }
 
   std::size_t FirstArm(Id vertex) const
   {
@@ -105,7 +99,7 @@ private:
     this->Ground.Places.assign(this->Ground.Mesh.Points.size(), FeaturePlace::None);
     for (const Id vertex : this->Ground.Pinches)
     {
-      this->Ground.Places[static_cast<std::size_t>(vertex)] = FeaturePlace::Corner;
+      this->Ground.Places[At(vertex)] = FeaturePlace::Corner;
     }
     std::size_t end = 0;
     for (std::size_t begin = 0; begin < this->Arms.size(); begin = end)
@@ -119,12 +113,11 @@ private:
         this->IsCorner(arm.Tail) || end - begin != 2 || arm.Flag != this->Arms[begin + 1].Flag;
       if (!isCorner)
       {
-        const Point3 in = this->At(arm.Tail) - this->At(arm.Head);
-        const Point3 out = this->At(this->Arms[begin + 1].Head) - this->At(arm.Tail);
+        const Point3 in = this->PointAt(arm.Tail) - this->PointAt(arm.Head);
+        const Point3 out = this->PointAt(this->Arms[begin + 1].Head) - this->PointAt(arm.Tail);
         isCorner = Dot(in, out) < StraightestCorner * Length(in) * Length(out);
       }
-      this->Ground.Places[static_cast<std::size_t>(arm.Tail)] =
-        isCorner ? FeaturePlace::Corner : FeaturePlace::Line;
+      this->Ground.Places[At(arm.Tail)] = isCorner ? FeaturePlace::Corner : FeaturePlace::Line;
     }
   }
 
@@ -302,23 +295,17 @@ std::vector<VertexPair> NoisyEdges(const SurfaceGround& ground)
   std::vector<Id> degrees(ground.Mesh.Points.size(), 0);
   for (Id chain = 0; chain < chains.Size(); ++chain)
   {
-    ++degrees[static_cast<std::size_t>(chains.At(chains.Begin(chain)))];
-    ++degrees[static_cast<std::size_t>(chains.At(chains.End(chain) - 1))];
+    ++degrees[At(chains.At(chains.Begin(chain)))];
+    ++degrees[At(chains.At(chains.End(chain) - 1))];
   }
   std::vector<VertexPair> edges;
   for (Id chain = 0; chain < chains.Size(); ++chain)
   {
-    const auto first = static_cast<std::size_t>(chains.At(chains.Begin(chain)));
-    const auto last = static_cast<std::size_t>(chains.At(chains.End(chain) - 1));
-    double length = 0.0;
-    for (Id k = chains.Begin(chain) + 1; k < chains.End(chain); ++k)
-    {
-      length += Distance(ground.Mesh.Points[static_cast<std::size_t>(chains.At(k - 1))],
-        ground.Mesh.Points[static_cast<std::size_t>(chains.At(k))]);
-    }
+    const auto first = At(chains.At(chains.Begin(chain)));
+    const auto last = At(chains.At(chains.End(chain) - 1));
     const bool isOpen = first != last && (degrees[first] == 1 || degrees[last] == 1);
-    if (isOpen && chains.Kinds[static_cast<std::size_t>(chain)] == SurfaceEdgeKind::Feature &&
-      length < 0.5 * (ground.Sizes[first] + ground.Sizes[last]))
+    if (isOpen && chains.Kinds[At(chain)] == SurfaceEdgeKind::Feature &&
+      ground.LengthOf(chain) < 0.5 * (ground.Sizes[first] + ground.Sizes[last]))
     {
       AddEdgesOf(chains, chain, edges);
     }
@@ -360,7 +347,7 @@ void FlagFeatures(SurfaceGround& ground, const std::vector<Id>& regions, double 
         FlagOf(across == OpenEdge ? SurfaceEdgeKind::Border : SurfaceEdgeKind::NonManifold);
       continue;
     }
-    const auto other = static_cast<std::size_t>(across);
+    const auto other = At(across);
     if (regionOf(slot) != regionOf(other) ||
       Dot(ground.NormalOf(slot / 3), ground.NormalOf(other / 3)) < turned)
     {

@@ -290,17 +290,6 @@ void MarkAround(const SurfaceGround& ground, Id triangle, const Point3& place, d
   }
 }
 
-double LengthOfChain(const SurfaceGround& ground, Id chain)
-{
-  double length = 0.0;
-  for (Id k = ground.Chains.Begin(chain) + 1; k < ground.Chains.End(chain); ++k)
-  {
-    length += Distance(
-      ground.Mesh.Points[At(ground.Chains.At(k - 1))], ground.Mesh.Points[At(ground.Chains.At(k))]);
-  }
-  return length;
-}
-
 /// Of a chain at its vertices of the input; a straight piece between two of them is one side.
 void CapByTurns(SurfaceGround& ground, Id chain, double tolerance)
 {
@@ -516,7 +505,7 @@ void CapByFeatures(SurfaceGround& ground, Pulse& pulse)
     const Id begin = ground.Chains.Begin(chain);
     const Id end = ground.Chains.End(chain);
     const bool isClosed = ground.Chains.At(begin) == ground.Chains.At(end - 1);
-    const double size = LengthOfChain(ground, chain) / (isClosed ? 4.0 : 1.0);
+    const double size = ground.LengthOf(chain) / (isClosed ? 4.0 : 1.0);
     for (Id k = begin; k < end; ++k)
     {
       Cap(ground, ground.Chains.At(k), size);

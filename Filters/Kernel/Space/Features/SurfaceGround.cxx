@@ -48,11 +48,8 @@ std::vector<LongSlot> FindLongSlots(const SurfaceGround& ground, Pulse& pulse)
     const Id b = ground.Mesh.Corners[PreviousSlotOf(slot)];
     const Id low = std::min(a, b);
     const Id high = std::max(a, b);
-    const double most = LongestEdge *
-      std::min(
-        ground.Sizes[static_cast<std::size_t>(low)], ground.Sizes[static_cast<std::size_t>(high)]);
-    if (Distance(ground.Mesh.Points[static_cast<std::size_t>(low)],
-          ground.Mesh.Points[static_cast<std::size_t>(high)]) > most)
+    const double most = LongestEdge * std::min(ground.Sizes[At(low)], ground.Sizes[At(high)]);
+    if (Distance(ground.Mesh.Points[At(low)], ground.Mesh.Points[At(high)]) > most)
     {
       slots.push_back({ low, high, slot });
     }
@@ -116,8 +113,7 @@ public:
     , Quads(quads)
   {
     const auto kept = std::count(middles.begin(), middles.end(), NoId);
-    const std::size_t triangles =
-      middles.size() / 3 + middles.size() - static_cast<std::size_t>(kept);
+    const std::size_t triangles = middles.size() / 3 + middles.size() - At(kept);
     this->Corners.reserve(3 * triangles);
     this->Flags.reserve(3 * triangles);
     this->Cells.reserve(triangles);
@@ -130,10 +126,10 @@ public:
     {
       this->DivideTriangle(triangle);
     }
-    else if (static_cast<std::size_t>(other) > 3 * triangle)
+    else if (At(other) > 3 * triangle)
     {
-      const Id own = this->Quads[static_cast<std::size_t>(other) / 3];
-      this->DivideQuad(static_cast<std::size_t>(own), static_cast<std::size_t>(other));
+      const Id own = this->Quads[At(other) / 3];
+      this->DivideQuad(At(own), At(other));
     }
   }
 
@@ -234,8 +230,7 @@ private:
 
   double Length2(Id a, Id b) const
   {
-    const Point3 side = this->Ground.Mesh.Points[static_cast<std::size_t>(b)] -
-      this->Ground.Mesh.Points[static_cast<std::size_t>(a)];
+    const Point3 side = this->Ground.Mesh.Points[At(b)] - this->Ground.Mesh.Points[At(a)];
     return Dot(side, side);
   }
 
@@ -255,9 +250,20 @@ private:
 
 } // namespace
 
+double SurfaceGround::LengthOf(Id chain) const
+{
+  double length = 0.0;
+  for (Id k = this->Chains.Begin(chain) + 1; k < this->Chains.End(chain); ++k)
+  {
+    length += Distance(
+      this->Mesh.Points[At(this->Chains.At(k - 1))], this->Mesh.Points[At(this->Chains.At(k))]);
+  }
+  return length;
+}
+
 double SurfaceGround::SizeAt(Id triangle, const Point3& place) const
 {
-  const auto t = static_cast<std::size_t>(triangle);
+  const auto t = At(triangle);
   double sum = 0.0;
   double weights = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
@@ -266,10 +272,9 @@ double SurfaceGround::SizeAt(Id triangle, const Point3& place) const
     const double weight = Length(
       Cross(this->Mesh.At(NextSlotOf(slot)) - place, this->Mesh.At(PreviousSlotOf(slot)) - place));
     weights += weight;
-    sum += weight * this->Sizes[static_cast<std::size_t>(this->Mesh.Corners[slot])];
+    sum += weight * this->Sizes[At(this->Mesh.Corners[slot])];
   }
-  return weights > 0.0 ? sum / weights
-                       : this->Sizes[static_cast<std::size_t>(this->Mesh.Corners[3 * t])];
+  return weights > 0.0 ? sum / weights : this->Sizes[At(this->Mesh.Corners[3 * t])];
 }
 
 bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3&)>& given,
@@ -287,8 +292,8 @@ bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3
       {
         continue;
       }
-      const auto low = static_cast<std::size_t>(slots[k].Low);
-      const auto high = static_cast<std::size_t>(slots[k].High);
+      const auto low = At(slots[k].Low);
+      const auto high = At(slots[k].High);
       if (k == 0 || !slots[k].IsSameEdge(slots[k - 1]))
       {
         ground.Mesh.Points.push_back(Midpoint(ground.Mesh.Points[low], ground.Mesh.Points[high]));

@@ -59,12 +59,14 @@ struct SurfaceGround
   std::vector<Id> Pinches; ///< vertices where several fans of triangles meet: corners
   FeatureChains Chains;
   std::vector<Id> Vanished; ///< vertices where fins, or holes, are too small to have chains
-  IdLists TrianglesAt; ///< of vertices
+  IdLists TrianglesAt;      ///< of vertices
 
   const Point3& NormalOf(std::size_t triangle) const
   {
-    return this->Normals[static_cast<std::size_t>(this->Mesh.Cells[triangle])];
+    return this->Normals[At(this->Mesh.Cells[triangle])];
   }
+
+  double LengthOf(Id chain) const;
 
   /// f at a point of the triangle.
   double SizeAt(Id triangle, const Point3& place) const;

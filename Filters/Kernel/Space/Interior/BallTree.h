@@ -12,7 +12,6 @@
 #include <array>     // for distances
 #include <cstddef>   // for indices
 #include <cstdint>   // for counts
-#include <memory>    // for chunks
 #include <vector>    // for the arrays
 
 namespace biting
@@ -27,31 +26,6 @@ struct GuardedBall
   Id Frame = NoId;     ///< of a cube: the number of its axes; NoId: a ball
 };
 
-/// A list that grows without being copied.
-template <typename Item>
-class ChunkedList
-{
-public:
-  std::size_t Size() const { return this->Count; }
-  Item& operator[](std::size_t k) { return this->Chunks[k / ChunkSize][k % ChunkSize]; }
-  const Item& operator[](std::size_t k) const { return this->Chunks[k / ChunkSize][k % ChunkSize]; }
-
-  void Add(const Item& item)
-  {
-    if (this->Count % ChunkSize == 0)
-    {
-      this->Chunks.push_back(std::make_unique<Item[]>(ChunkSize));
-    }
-    (*this)[this->Count++] = item;
-  }
-
-private:
-  static constexpr std::size_t ChunkSize = 1024;
-
-  std::vector<std::unique_ptr<Item[]>> Chunks;
-  std::size_t Count = 0;
-};
-
 /// Finds balls of any sizes at a place or near a ball: an octree whose leaves list the balls that
 /// meet them. A leaf is no larger than LargestLeaf radii of any ball in it, so that bites put some
 /// 30 balls into a leaf. Cost: a walk down the tree for a place; constant for the neighbors of a
@@ -63,19 +37,19 @@ public:
     : Root{ 0, bounds.Center(),
       0.5 * std::max({ bounds.Size(0), bounds.Size(1), bounds.Size(2), 1e-300 }) }
   {
-    this->Blocks.Add({});
+    this->Blocks.push_back({});
   }
 
   const GuardedBall& At(Id ball) const { return this->Items[static_cast<std::size_t>(ball)]; }
-  Id Size() const { return static_cast<Id>(this->Items.Size()); }
+  Id Size() const { return static_cast<Id>(this->Items.size()); }
 
   /// Calls visit(id, other) for all balls that meet `ball`, then adds `ball`.
   template <typename Visit>
   void Add(const GuardedBall& ball, const Visit& visit)
   {
     const Id id = this->Size();
-    this->Items.Add(ball);
-    this->LastVisits.Add(id);
+    this->Items.push_back(ball);
+    this->LastVisits.push_back(id);
     const double largest = std::max(LargestLeaf * ball.Radius, LeastShare * this->Root.HalfSide);
     this->NumberFound = 0;
     this->VisitLeaves(ball, largest,
@@ -212,8 +186,8 @@ private:
     Id block = this->FirstFree;
     if (block == 0)
     {
-      block = static_cast<Id>(this->Blocks.Size());
-      this->Blocks.Add({});
+      block = static_cast<Id>(this->Blocks.size());
+      this->Blocks.push_back({});
     }
     this->FirstFree = this->BlockAt(block).Next;
     this->Blocks[static_cast<std::size_t>(block)].Count = 0;
@@ -322,10 +296,10 @@ private:
   }
 
   Cube Root;
-  ChunkedList<GuardedBall> Items;
-  ChunkedList<Id> LastVisits;  ///< of balls: the number of the last visit that came there
+  std::vector<GuardedBall> Items;
+  std::vector<Id> LastVisits;  ///< of balls: the number of the last visit that came there
   std::vector<Id> Nodes{ ~0 }; ///< the first of eight children, or a leaf: ~ its first block
-  ChunkedList<Block> Blocks;   ///< the first one stands for none
+  std::vector<Block> Blocks;   ///< the first one stands for none
   Id FirstFree = 0;            ///< of the blocks that no leaf has
   std::vector<Cube> Front;     ///< of the walk
   std::vector<Id> Moved;

@@ -99,40 +99,30 @@ private:
 
   static double SineOf(double cosine) { return std::sqrt(std::max(0.0, 1.0 - cosine * cosine)); }
 
-  /// The meetings of a circle with the parents. Step by step for all, so that the processor need
-  /// not wait for roots and quotients.
+  /// The meetings of a circle with the parents.
   template <typename Visit>
   void MeetParents(const Circle& a, const Visit& visit)
   {
     constexpr double LeastRest = 1e-12; // of parallel planes
-    this->Pairs.resize(this->Parents.size());
-    std::size_t count = 0;
     for (const Circle& b : this->Parents)
     {
       const double cosine = Dot(a.Way, b.Way);
       const double rest = 1.0 - cosine * cosine;
       const double rise2 =
         rest - a.Height * a.Height - b.Height * b.Height + 2.0 * cosine * a.Height * b.Height;
-      this->Pairs[count] = { &b, cosine, rest, rise2, {}, {} };
-      count += rise2 >= 0.0 && rest >= LeastRest ? 1 : 0;
-    }
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      Pair& pair = this->Pairs[k];
-      const Circle& b = *pair.Other;
-      const double scale = 1.0 / pair.Rest;
-      pair.Foot = scale * (a.Height - pair.Cosine * b.Height) * a.Way +
-        scale * (b.Height - pair.Cosine * a.Height) * b.Way;
-      pair.Rise = scale * std::sqrt(pair.Rise2) * Cross(a.Way, b.Way);
-    }
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      const Pair& pair = this->Pairs[k];
-      for (const Point3& place : { pair.Foot + pair.Rise, pair.Foot - pair.Rise })
+      if (!(rise2 >= 0.0 && rest >= LeastRest))
+      {
+        continue;
+      }
+      const double scale = 1.0 / rest;
+      const Point3 foot = scale * (a.Height - cosine * b.Height) * a.Way +
+        scale * (b.Height - cosine * a.Height) * b.Way;
+      const Point3 rise = scale * std::sqrt(rise2) * Cross(a.Way, b.Way);
+      for (const Point3& place : { foot + rise, foot - rise })
       {
         if (!this->IsGuarded(place))
         {
-          visit(this->Own.Center + this->Own.Radius * place, a.Ball, pair.Other->Ball);
+          visit(this->Own.Center + this->Own.Radius * place, a.Ball, b.Ball);
         }
       }
     }
@@ -171,19 +161,7 @@ private:
     return isFound;
   }
 
-  /// Of circles whose planes meet inside the sphere.
-  struct Pair
-  {
-    const Circle* Other;
-    double Cosine; ///< of the angle between the ways
-    double Rest;   ///< 1 - Cosine^2
-    double Rise2;
-    Point3 Foot;
-    Point3 Rise;
-  };
-
   GuardedBall Own;
-  std::vector<Pair> Pairs;
   std::vector<Circle> Circles;
   std::vector<Circle> Parents; ///< the circles that lie in no guard
   std::size_t Hider = 0;       ///< the circle whose guard hid the last place
