@@ -7,7 +7,11 @@
 #include "EdgeRemoval.h"
 #include "VertexMoves.h"
 
-#include <algorithm> // for sort, unique
+#include <algorithm> // for all_of, any_of, copy_if, sort, unique
+#include <cstddef>   // for ptrdiff_t
+#include <iterator>  // for back_inserter
+#include <set>       // for steps that were tried
+#include <utility>   // for pairs
 
 namespace biting
 {
@@ -16,7 +20,7 @@ namespace
 {
 
 /// Badness (TetShape): the square of the cosine of the smallest angle.
-constexpr double At31 = 0.7347368398357183;
+constexpr double At30 = 0.7499; // a bit more
 constexpr double At35 = 0.6710100716628343;
 constexpr double At38 = 0.6209609477998338;
 constexpr double At45 = 0.5;
@@ -32,6 +36,7 @@ public:
     , Moves(this->Tets, this->Normals, f)
     , Edges(this->Tets, this->Normals)
     , Beats(pulse)
+    , TrialsLeft(MostTrials(body))
   {
   }
 
@@ -52,9 +57,14 @@ public:
       isChanged = this->ChangeBad(At38) || isChanged;
     }
     isChanged = true;
-    for (int round = 0; round < Rounds && isChanged && this->GoOn(0.84 + 0.02 * round); ++round)
+    for (int round = 0; round < Rounds && isChanged && this->GoOn(0.84 + 0.01 * round); ++round)
     {
-      isChanged = this->LoosenWorst(At31);
+      isChanged = this->LoosenWorst(At30);
+    }
+    isChanged = true;
+    for (Id round = 0; round < Rounds && isChanged && this->GoOn(0.92 + 0.01 * round); ++round)
+    {
+      isChanged = this->TryWorst(round);
     }
     this->Tets.GiveBack();
   }
@@ -71,6 +81,13 @@ public:
   }
 
 private:
+  static Id MostTrials(const RelaxedBody& body)
+  {
+    constexpr Id Least = 1000;
+    constexpr Id Share = 32;
+    return Least + static_cast<Id>(body.Regions.size()) / Share;
+  }
+
   bool GoOn(double fraction)
   {
     this->Beats.SetFraction(fraction);
@@ -123,15 +140,186 @@ private:
     const Id slots = this->Tets.Mesh.NumberOfSlots();
     for (Id cell = 0; cell < slots && !this->Beats.HasStopped(); ++cell)
     {
-      if (this->IsBad(cell, limit))
+      const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+      isChanged =
+        (this->IsBad(cell, limit) && this->ImproveAll(this->CellsAt(corners), At45)) || isChanged;
+      isChanged = (this->IsBad(cell, limit) && this->MergeAny(corners)) || isChanged;
+      bool isSplit = false;
+      for (std::size_t edge = 0; edge < 6 && !isSplit && this->IsBad(cell, limit); ++edge)
       {
-        isChanged = this->ImproveAround(cell) || isChanged;
-        isChanged =
-          (this->IsBad(cell, limit) && this->MergeAny(this->Tets.CornersOf(cell))) || isChanged;
-        isChanged = (this->IsBad(cell, limit) && this->Edges.Split(cell)) || isChanged;
+        isSplit = this->Edges.Split(cell, edge);
+      }
+      isChanged = isSplit || isChanged;
+    }
+    return isChanged;
+  }
+
+  /// Tries all cells that are still bad, the worst first; after the first round those near which
+  /// something has changed.
+  bool TryWorst(Id round)
+  {
+    std::vector<std::pair<double, Id>> bad;
+    for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots(); ++cell)
+    {
+      if (this->IsBad(cell, At30))
+      {
+        bad.push_back({ -this->Tets.Badness[At(cell)], cell });
+      }
+    }
+    std::sort(bad.begin(), bad.end());
+    bool isChanged = false;
+    for (const auto& [badness, cell] : bad)
+    {
+      const bool isSame = this->IsBad(cell, At30) && -this->Tets.Badness[At(cell)] == badness;
+      if (isSame && this->IsChangedSince(cell, round) && this->Beats.Ask() && this->TryAt(cell))
+      {
+        isChanged = true;
+        this->Rounds.resize(this->Tets.Mesh.Points.size(), 0);
+        for (const Id vertex : this->Reached)
+        {
+          this->Rounds[At(vertex)] = round + 1;
+        }
       }
     }
     return isChanged;
+  }
+
+  bool IsChangedSince(Id cell, Id round)
+  {
+    this->Rounds.resize(this->Tets.Mesh.Points.size(), 0);
+    const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+    return std::any_of(corners.begin(), corners.end(),
+      [this, round](Id vertex) { return this->Rounds[At(vertex)] >= round; });
+  }
+
+  /// Tries steps that make cells worse, and what can be made of that: at the cell, then at those
+  /// that have three and two corners of it.
+  bool TryAt(Id cell)
+  {
+    const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+    const std::vector<Id> near = this->CellsAt(corners);
+    const double before = this->Tets.Badness[At(cell)];
+    std::set<BodyTets::Tetrahedron> done;
+    for (std::ptrdiff_t common = 4; common >= 2; --common)
+    {
+      for (const Id other : near)
+      {
+        const BodyTets::Tetrahedron own = this->Tets.CornersOf(other);
+        const auto isCorner = [&corners](Id vertex)
+        { return std::find(corners.begin(), corners.end(), vertex) != corners.end(); };
+        const bool isNow = std::count_if(own.begin(), own.end(), isCorner) == common;
+        for (std::size_t step = 0; isNow && step<NumberOfSteps&& this->TrialsLeft> 0; ++step)
+        {
+          if (done.insert(KeyOf(own, step)).second && this->Try(other, step, before))
+          {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  /// Steps at a cell: to remove its edges; to split them; to flip its facets; to merge its corners.
+  static constexpr std::size_t NumberOfSteps = 28;
+  static constexpr std::size_t EdgeCorners[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 },
+    { 1, 3 }, { 2, 3 } };
+
+  /// Is the same for the same step at another cell.
+  static BodyTets::Tetrahedron KeyOf(const BodyTets::Tetrahedron& c, std::size_t step)
+  {
+    BodyTets::Tetrahedron key{ NoId, NoId, NoId, step < 6 ? 0 : step < 12 ? 1 : 2 };
+    if (step < 12)
+    {
+      key[0] = c[EdgeCorners[step % 6][0]];
+      key[1] = c[EdgeCorners[step % 6][1]];
+    }
+    else if (step < 16)
+    {
+      std::copy_if(c.begin(), c.end(), key.begin(),
+        [&c, step](const Id& vertex) { return &vertex != &c[step - 12]; });
+    }
+    else
+    {
+      return { c[(step - 16) / 3], c[((step - 16) / 3 + 1 + step % 3) % 4], NoId, 3 };
+    }
+    std::sort(key.begin(), key.begin() + 3);
+    return key;
+  }
+
+  bool Do(Id cell, std::size_t step)
+  {
+    if (step < 12)
+    {
+      return step < 6 ? this->Edges.Remove(cell, step) : this->Edges.Split(cell, step - 6);
+    }
+    if (step < 16)
+    {
+      return this->Edges.Flip(4 * cell + static_cast<Id>(step - 12));
+    }
+    const BodyTets::Tetrahedron c = this->Tets.CornersOf(cell);
+    return this->Moves.Merge(c[(step - 16) / 3], c[((step - 16) / 3 + 1 + step % 3) % 4]);
+  }
+
+  /// Does the step, and improves what is near. Takes all back where a cell that changed is not
+  /// better than `before` then.
+  bool Try(Id cell, std::size_t step, double before)
+  {
+    constexpr int Rounds = 3;
+    std::vector<CellChange> log;
+    this->Tets.Log = &log;
+    this->Tets.IsTrial = true;
+    bool goes = this->Do(cell, step);
+    this->Tets.IsTrial = false;
+    if (goes)
+    {
+      --this->TrialsLeft;
+      for (int round = 0; round < Rounds; ++round)
+      {
+        this->FindReached();
+        this->ImproveAll(this->CellsAt(this->Reached), At35);
+      }
+      const std::vector<Id> changed = this->FindReached();
+      goes = std::all_of(changed.begin(), changed.end(),
+        [this, before](Id c) { return this->Tets.Badness[At(c)] < before - LeastGain; });
+      if (!goes)
+      {
+        this->Moves.TakeBack();
+      }
+    }
+    this->Tets.Log = nullptr;
+    return goes;
+  }
+
+  /// Cells that have changed by the log. Sets Reached: their corners.
+  std::vector<Id> FindReached()
+  {
+    std::vector<Id> changed;
+    for (const CellChange& change : *this->Tets.Log)
+    {
+      std::copy_if(change.Cells.begin(), change.Cells.end(), std::back_inserter(changed),
+        [this](Id cell) { return !this->Tets.Mesh.IsFree(cell); });
+      for (const Id slot :
+        change.Vertex == NoId ? std::vector<Id>() : this->Tets.StarOf(change.Vertex))
+      {
+        changed.push_back(slot >> 2);
+      }
+    }
+    SortUnique(changed);
+    this->Reached.clear();
+    for (const Id cell : changed)
+    {
+      const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+      this->Reached.insert(this->Reached.end(), corners.begin(), corners.end());
+    }
+    SortUnique(this->Reached);
+    return changed;
+  }
+
+  static void SortUnique(std::vector<Id>& list)
+  {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
   }
 
   /// Merges vertices of thin facets of the boundary while there are slivers, which tetrahedra at
@@ -183,23 +371,29 @@ private:
     return false;
   }
 
-  bool ImproveAround(Id cell)
+  /// The cells of the vertices.
+  template <typename Vertices>
+  std::vector<Id> CellsAt(const Vertices& vertices)
   {
-    this->Near.clear();
-    for (const Id vertex : this->Tets.CornersOf(cell))
+    std::vector<Id> cells;
+    for (const Id vertex : vertices)
     {
       for (const Id slot : this->Tets.StarOf(vertex))
       {
-        this->Near.push_back(slot >> 2);
+        cells.push_back(slot >> 2);
       }
     }
-    std::sort(this->Near.begin(), this->Near.end());
-    this->Near.erase(std::unique(this->Near.begin(), this->Near.end()), this->Near.end());
+    SortUnique(cells);
+    return cells;
+  }
+
+  bool ImproveAll(const std::vector<Id>& cells, double limit)
+  {
     bool isChanged = false;
-    for (const Id other : this->Near)
+    for (const Id cell : cells)
     {
-      isChanged = this->MoveCorners(other, At45) || isChanged;
-      isChanged = (this->IsBad(other, At45) && this->Edges.Improve(other)) || isChanged;
+      isChanged = this->MoveCorners(cell, limit) || isChanged;
+      isChanged = (this->IsBad(cell, limit) && this->Edges.Improve(cell)) || isChanged;
     }
     return isChanged;
   }
@@ -220,7 +414,9 @@ private:
   VertexMoves Moves;
   EdgeRemoval Edges;
   Pulse& Beats;
-  std::vector<Id> Near;
+  std::vector<Id> Reached; ///< vertices
+  std::vector<Id> Rounds;  ///< of vertices: one more than the last in which a trial changed them
+  Id TrialsLeft;
 };
 
 } // namespace

@@ -18,6 +18,8 @@
 namespace biting
 {
 
+class CellChange;
+
 /// The tetrahedra of a body at work. Mesh is as TetMesh says, with regions as labels, but has no
 /// ghosts: facets of the boundary and of interfaces have records, numbered as RelaxedBody::Facets,
 /// and Twins is as RelaxedBody has it.
@@ -89,6 +91,14 @@ public:
       this->Mesh.FacetCorner(slot, 2) };
   }
 
+  /// How bad a change may make tetrahedra, the worst of which has `badness`: not quite as bad, or
+  /// 10 degrees where it is made on trial.
+  double LimitOf(double badness) const
+  {
+    constexpr double At10 = 0.9698463103929542;
+    return this->IsTrial ? std::max(badness, At10) : badness - LeastGain;
+  }
+
   RelaxedBody& Body;
   LinePieces Lines;
   TetMesh Mesh;
@@ -103,6 +113,9 @@ public:
   std::vector<std::uint32_t> TriedMoves;   ///< of vertices
   std::vector<std::uint8_t> NumberOfMoves; ///< by trial, of vertices
   std::vector<std::uint32_t> Tried;        ///< of cells
+
+  bool IsTrial = false;
+  std::vector<CellChange>* Log = nullptr; ///< gets what takes changes back, in their order
 
 private:
   friend class CellChange;

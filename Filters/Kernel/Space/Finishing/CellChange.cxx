@@ -19,7 +19,9 @@ void CellChange::Clear()
 /// Facets of the cavity's border and of the filling that are the same are linked.
 void CellChange::Apply(BodyTets& tets)
 {
+  const CellChange inverse = tets.Log != nullptr ? this->Inverse(tets) : CellChange();
   this->Sides.clear();
+  this->Made.clear();
   ++tets.Clock;
   this->AddWalls(tets);
   for (const NewFacet& facet : this->Facets)
@@ -39,6 +41,31 @@ void CellChange::Apply(BodyTets& tets)
   }
   this->AddFilling(tets);
   this->LinkSides(tets);
+  if (tets.Log != nullptr)
+  {
+    tets.Log->push_back(inverse);
+    tets.Log->back().Cells.assign(this->Made.rbegin(), this->Made.rend());
+  }
+}
+
+/// But for its cells. In reverse order: new cells get the numbers that were freed last, so that all
+/// get theirs back.
+CellChange CellChange::Inverse(const BodyTets& tets) const
+{
+  CellChange inverse;
+  for (auto cell = this->Cells.rbegin(); cell != this->Cells.rend(); ++cell)
+  {
+    inverse.Filling.push_back(tets.CornersOf(*cell));
+    inverse.Regions.push_back(tets.Mesh.Labels[At(*cell)]);
+  }
+  for (const NewFacet& facet : this->Facets)
+  {
+    const Id slot = tets.FacetSlots[At(2 * facet.Record)];
+    const bool isNew = slot == NoId;
+    inverse.Facets.push_back(
+      { facet.Record, isNew ? std::array<Id, 3>{ NoId, NoId, NoId } : tets.FacetCorners(slot) });
+  }
+  return inverse;
 }
 
 void CellChange::AddWalls(BodyTets& tets)
@@ -93,6 +120,7 @@ void CellChange::AddFilling(BodyTets& tets)
     const Id cell = tets.Mesh.NewCell();
     tets.ResizeCells();
     tets.Tried[At(cell)] = 0;
+    this->Made.push_back(cell);
     std::copy(corners.begin(), corners.end(), &tets.Mesh.Corners[At(4 * cell)]);
     tets.Mesh.Labels[At(cell)] = this->Regions[k];
     tets.Badness[At(cell)] = tets.BadnessOf(corners);

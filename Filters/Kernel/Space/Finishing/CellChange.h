@@ -13,7 +13,7 @@ namespace biting
 {
 
 /// The replacement of cells of a body by a filling of the same cavity. Records in Facets get new
-/// facets; all other facets of the cavity stay.
+/// facets; all other facets of the cavity stay. In a log also a vertex that goes back.
 class CellChange
 {
 public:
@@ -29,6 +29,12 @@ public:
   std::vector<Id> Regions; ///< of the filling
   std::vector<NewFacet> Facets;
 
+  // Where a vertex that moved was; NoId: none moved.
+  Id Vertex = NoId;
+  Point3 Place{};
+  double Size = 0.0;
+  Id Triangle = NoId; ///< of BoundaryPlaces
+
   void Clear();
   void Apply(BodyTets& tets);
 
@@ -42,11 +48,13 @@ private:
     Id Half;   ///< which of the record's two FacetSlots; NoId: both are set anew
   };
 
+  CellChange Inverse(const BodyTets& tets) const;
   void AddWalls(BodyTets& tets);
   void AddFilling(BodyTets& tets);
   void LinkSides(BodyTets& tets);
 
   std::vector<Side> Sides;
+  std::vector<Id> Made; ///< cells
 };
 
 } // namespace biting

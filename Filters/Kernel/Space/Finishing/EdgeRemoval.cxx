@@ -66,7 +66,7 @@ bool EdgeRemoval::Remove(Id cell, std::size_t edge)
   }
   for (std::size_t k = 0; k < this->NumberOfLinks; ++k)
   {
-    if (!this->Triangulate(this->Links[k], this->Before - LeastGain))
+    if (!this->Triangulate(this->Links[k], this->Tets.LimitOf(this->Before)))
     {
       return false;
     }
@@ -301,18 +301,15 @@ bool EdgeRemoval::IsNewEdge(Id p, Id q, bool isInCell)
   return true;
 }
 
-bool EdgeRemoval::Split(Id cell)
+bool EdgeRemoval::Split(Id cell, std::size_t edge)
 {
-  for (std::size_t edge = 0; edge < 6; ++edge)
+  const bool goes = this->FindLinks(cell, edge) &&
+    (this->NumberOfRecords == 0 || this->IsSplittable()) && this->FillFromInside();
+  if (goes)
   {
-    if (this->FindLinks(cell, edge) && (this->NumberOfRecords == 0 || this->IsSplittable()) &&
-      this->FillFromInside())
-    {
-      this->Change.Apply(this->Tets);
-      return true;
-    }
+    this->Change.Apply(this->Tets);
   }
-  return false;
+  return goes;
 }
 
 bool EdgeRemoval::IsSplittable() const
@@ -350,7 +347,7 @@ bool EdgeRemoval::FillFromInside()
       return goes;
     });
   this->Change.Facets.clear();
-  if (!(worst < this->Before - LeastGain) || (isOnFacets && !this->SplitFacets(best)))
+  if (!(worst < this->Tets.LimitOf(this->Before)) || (isOnFacets && !this->SplitFacets(best)))
   {
     return false;
   }
@@ -440,8 +437,8 @@ bool EdgeRemoval::Flip(Id slot)
   }
   const Id d = this->Tets.VertexAt(slot);
   const Id e = this->Tets.VertexAt(twin);
-  const double limit =
-    std::max(this->Tets.Badness[At(slot >> 2)], this->Tets.Badness[At(twin >> 2)]) - LeastGain;
+  const double limit = this->Tets.LimitOf(
+    std::max(this->Tets.Badness[At(slot >> 2)], this->Tets.Badness[At(twin >> 2)]));
   this->Change.Clear();
   for (int k = 0; k < 3; ++k)
   {

@@ -37,9 +37,9 @@ public:
   /// `edge`: 0 to 5, a row of EdgeCorners.
   bool Remove(Id cell, std::size_t edge);
 
-  /// Inserts a vertex at the middle of an edge of the cell, or near it: each cell about the edge
-  /// becomes two. Of an edge of the boundary, but of lines: on the ground.
-  bool Split(Id cell);
+  /// Inserts a vertex at the middle of the edge, or near it: each cell about the edge becomes two.
+  /// Of an edge of the boundary, but of lines: on the ground.
+  bool Split(Id cell, std::size_t edge);
 
   /// Takes a facet away: two tetrahedra become three about the edge between their apexes.
   bool Flip(Id slot);

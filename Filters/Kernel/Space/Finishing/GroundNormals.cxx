@@ -18,15 +18,18 @@ namespace
 constexpr double LeastAgreement = 0.7071067811865476; // the cosine of 45 degrees
 constexpr double MostDistance = 0.1; // in f: the default of BoundaryTolerance, which caps f
 
-/// The nearest place of a side.
-Point3 NearestOnSide(const Point3& a, const Point3& b, const Point3& p)
-{
-  const double square = Dot(b - a, b - a);
-  const double part = square > 0.0 ? Dot(p - a, b - a) / square : 0.0;
-  return a + std::max(0.0, std::min(1.0, part)) * (b - a);
-}
-
 } // namespace
+
+std::vector<Id> GroundNormals::ChainsOf(const BodyTets& tets)
+{
+  std::vector<Id> chains(tets.Mesh.Points.size(), NoId);
+  for (Id vertex = 0; vertex < tets.Body.NumberOnLines; ++vertex)
+  {
+    const Id piece = tets.Lines.PiecesOf(vertex)[0];
+    chains[At(vertex)] = piece == NoId ? NoId : tets.Body.PieceChains[At(piece)];
+  }
+  return chains;
+}
 
 Point3 GroundNormals::Facet::Normal() const
 {
@@ -81,60 +84,15 @@ bool GroundNormals::AllowsFacet(const Facet& before, const Facet& after) const
     this->Agreement(after) >= std::min(LeastAgreement, this->Agreement(before));
 }
 
-GroundPlace GroundNormals::Project(Id vertex, const Point3& place)
+GroundPlace GroundNormals::Project(Id vertex, const Point3& place) const
 {
-  const RelaxedBody& body = this->Tets.Body;
   if (this->Tets.Kinds[At(vertex)] != BodyTets::Kind::OnLine)
   {
-    return this->Patches.Project(body.BoundaryPlaces[At(vertex)], place);
+    return this->Patches.Project(this->Tets.Body.BoundaryPlaces[At(vertex)], place);
   }
-  this->Segments.resize(At(body.NumberOnLines), NoId);
-  const Id chain = body.PieceChains[At(this->Tets.Lines.PiecesOf(vertex)[0])];
-  Id& segment = this->Segments[At(vertex)];
-  Point3 nearest;
-  if (segment == NoId)
-  {
-    double least = Infinity;
-    for (Id k = this->Ground.Chains.Begin(chain); k + 1 < this->Ground.Chains.End(chain); ++k)
-    {
-      const auto at = [this](Id i)
-      { return this->Ground.Mesh.Points[At(this->Ground.Chains.At(i))]; };
-      const Point3& own = this->Tets.Mesh.PointAt(vertex);
-      const double distance = Distance(NearestOnSide(at(k), at(k + 1), own), own);
-      segment = distance < least ? k : segment;
-      least = std::min(least, distance);
-    }
-  }
-  const Id there = this->NearestOnChain(chain, segment, place, nearest);
-  return { this->Ground.TrianglesAt[this->Ground.Chains.At(there)][0], nearest };
-}
-
-/// The segment with the nearest place of the chain, by descent.
-Id GroundNormals::NearestOnChain(Id chain, Id segment, const Point3& place, Point3& nearest) const
-{
-  const FeatureChains& chains = this->Ground.Chains;
-  const auto nearestOn = [this, &chains, &place](Id k)
-  {
-    return NearestOnSide(this->Ground.Mesh.Points[At(chains.At(k))],
-      this->Ground.Mesh.Points[At(chains.At(k + 1))], place);
-  };
-  nearest = nearestOn(segment);
-  bool isNearer = true;
-  while (isNearer)
-  {
-    isNearer = false;
-    for (const Id next : { segment - 1, segment + 1 })
-    {
-      if (next >= chains.Begin(chain) && next + 1 < chains.End(chain) && !isNearer &&
-        Distance(nearestOn(next), place) < (1.0 - 1e-12) * Distance(nearest, place))
-      {
-        segment = next;
-        nearest = nearestOn(next);
-        isNearer = true;
-      }
-    }
-  }
-  return segment;
+  const ChainPlace there = this->Places.Project(vertex, place);
+  const Id tail = this->Ground.Chains.At(there.Edge - 1);
+  return { this->Ground.TrianglesAt[tail][0], there.Place };
 }
 
 bool GroundNormals::AllowsMove(
@@ -170,13 +128,8 @@ bool GroundNormals::AllowsSlide(Id vertex, const Point3& place) const
   for (const Id piece : this->Tets.Lines.PiecesOf(vertex))
   {
     const Point3& end = this->Tets.Mesh.PointAt(this->Tets.Lines.OtherEnd(piece, vertex));
-    const auto distanceAt = [this, &body, vertex, piece](const Point3& middle)
-    {
-      Point3 nearest;
-      this->NearestOnChain(
-        body.PieceChains[At(piece)], this->Segments[At(vertex)], middle, nearest);
-      return Distance(nearest, middle);
-    };
+    const auto distanceAt = [this, vertex](const Point3& middle)
+    { return Distance(this->Places.Project(vertex, middle).Place, middle); };
     before = std::max(before, distanceAt(Midpoint(this->Tets.Mesh.PointAt(vertex), end)));
     after = std::max(after, distanceAt(Midpoint(place, end)));
   }
@@ -244,12 +197,11 @@ void GroundNormals::Move(Id vertex, const GroundPlace& place)
   if (this->Tets.Kinds[At(vertex)] != BodyTets::Kind::OnLine)
   {
     this->Tets.Body.Sizes[At(vertex)] = this->Ground.SizeAt(place.Triangle, place.Place);
-    return;
   }
-  const Id chain = this->Tets.Body.PieceChains[At(this->Tets.Lines.PiecesOf(vertex)[0])];
-  Point3 nearest;
-  Id& segment = this->Segments[At(vertex)];
-  segment = this->NearestOnChain(chain, segment, place.Place, nearest);
+  else if (this->Places.IsOn(vertex))
+  {
+    this->Places.Move(vertex, this->Places.Project(vertex, place.Place).Edge);
+  }
 }
 
 } // namespace biting

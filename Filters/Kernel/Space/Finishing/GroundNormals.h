@@ -5,6 +5,7 @@
 #define BitingGroundNormals_h
 
 #include "../Features/GroundPatches.h"
+#include "../Relaxation/ChainPlaces.h"
 #include "BodyTets.h"
 
 #include <vector> // for stars
@@ -23,7 +24,15 @@ public:
     : Ground(ground)
     , Patches(ground)
     , Tets(tets)
+    , Chains(ChainsOf(tets))
+    , Places(ground, this->Chains, tets.Mesh.Points)
   {
+  }
+
+  /// Whether a vertex on a line may slide along it.
+  bool Slides(Id vertex) const
+  {
+    return this->Places.IsOn(vertex) && this->Tets.Lines.PiecesOf(vertex)[0] != NoId;
   }
 
   /// A facet, and what it becomes: its corner `From` goes to a place.
@@ -36,7 +45,7 @@ public:
 
   /// The place of the chain, or the patch, of a vertex of the boundary that is nearest to the
   /// place: a local minimum.
-  GroundPlace Project(Id vertex, const Point3& place);
+  GroundPlace Project(Id vertex, const Point3& place) const;
 
   /// The nearest place of the patch of a record.
   GroundPlace ProjectOnFacet(Id record, const Point3& place) const
@@ -77,12 +86,13 @@ private:
   double Agreement(const Facet& facet) const;
   bool AllowsSlide(Id vertex, const Point3& place) const;
   double DistanceOf(Id record, const Facet& facet) const;
-  Id NearestOnChain(Id chain, Id segment, const Point3& place, Point3& nearest) const;
+  static std::vector<Id> ChainsOf(const BodyTets& tets);
 
   const SurfaceGround& Ground;
   GroundPatches Patches;
   BodyTets& Tets;
-  std::vector<Id> Segments; ///< of vertices on lines: places in Chains.Vertices; NoId: not known
+  std::vector<Id> Chains; ///< of vertices
+  ChainPlaces Places;
 };
 
 } // namespace biting

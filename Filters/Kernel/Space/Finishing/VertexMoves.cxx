@@ -73,7 +73,20 @@ double VertexMoves::Load(double Cone::*badness) const
 
 void VertexMoves::Move(Id vertex, const Point3& place)
 {
-  this->Tets.Mesh.Points[At(vertex)] = place;
+  const RelaxedBody& body = this->Tets.Body;
+  Point3& old = this->Tets.Mesh.Points[At(vertex)];
+  if (this->Tets.Log != nullptr)
+  {
+    this->Tets.Log->emplace_back();
+    CellChange& change = this->Tets.Log->back();
+    change.Vertex = vertex;
+    change.Place = old;
+    change.Size = body.Sizes[At(vertex)];
+    change.Triangle = this->Tets.Kinds[At(vertex)] == BodyTets::Kind::Inside
+      ? NoId
+      : body.BoundaryPlaces[At(vertex)];
+  }
+  old = place;
   ++this->Tets.Clock;
   for (Cone& cone : this->Star)
   {
@@ -180,14 +193,13 @@ Point3 VertexMoves::WayOnGround(Id vertex) const
 bool VertexMoves::Improve(Id vertex, double good)
 {
   constexpr int MostMoves = 64; // more than good places take; where none is good it ends there
-  if ((this->Tets.Kinds[At(vertex)] == BodyTets::Kind::OnLine &&
-        this->Tets.Lines.PiecesOf(vertex)[0] == NoId) ||
+  if ((this->Tets.Kinds[At(vertex)] == BodyTets::Kind::OnLine && !this->Normals.Slides(vertex)) ||
     this->Tets.TriedMoves[At(vertex)] > this->Tets.Touched[At(vertex)] ||
     this->Tets.NumberOfMoves[At(vertex)] >= MostMoves)
   {
     return false;
   }
-  ++this->Tets.NumberOfMoves[At(vertex)];
+  this->Tets.NumberOfMoves[At(vertex)] += this->Tets.Log == nullptr ? 1 : 0;
   this->Gather(vertex);
   const auto isWorse = [](const Cone& a, const Cone& b) { return a.Badness > b.Badness; };
   std::sort(this->Star.begin(), this->Star.end(), isWorse);
@@ -215,9 +227,11 @@ bool VertexMoves::Improve(Id vertex, double good)
 
 bool VertexMoves::Merge(Id vertex, Id other)
 {
-  const bool isInside = this->Tets.Kinds[At(vertex)] == BodyTets::Kind::Inside;
+  const BodyTets::Kind kind = this->Tets.Kinds[At(vertex)];
+  const bool isInside = kind == BodyTets::Kind::Inside;
   this->Change.Clear();
-  if (!isInside && !this->FindFacets(vertex, other))
+  if ((kind == BodyTets::Kind::OnLine && this->Tets.Log != nullptr) ||
+    (!isInside && !this->FindFacets(vertex, other)))
   {
     return false;
   }
@@ -248,12 +262,12 @@ bool VertexMoves::Merge(Id vertex, Id other)
       worst = std::min(worst, tried);
       return goes;
     });
-  if (!(this->WorstAt(place, before - LeastGain) < before) ||
+  if (!(this->WorstAt(place, this->Tets.LimitOf(before)) < Infinity) ||
     (!isInside && !this->IsMergeable(vertex, other)))
   {
     return false;
   }
-  if (this->Tets.Kinds[At(vertex)] == BodyTets::Kind::OnLine)
+  if (kind == BodyTets::Kind::OnLine)
   {
     this->Tets.Lines.Join(vertex, this->Tets.Lines.Between(vertex, other));
   }
@@ -268,6 +282,31 @@ bool VertexMoves::Merge(Id vertex, Id other)
   this->Move(other, place);
   this->Change.Apply(this->Tets);
   return true;
+}
+
+void VertexMoves::TakeBack()
+{
+  const std::vector<CellChange> log = std::move(*this->Tets.Log);
+  this->Tets.Log = nullptr;
+  for (auto change = log.rbegin(); change != log.rend(); ++change)
+  {
+    const Id vertex = change->Vertex;
+    if (vertex == NoId)
+    {
+      CellChange(*change).Apply(this->Tets);
+      continue;
+    }
+    if (change->Triangle != NoId)
+    {
+      this->Normals.Move(vertex, { change->Triangle, change->Place });
+    }
+    this->Tets.Mesh.Points[At(vertex)] = change->Place;
+    this->Tets.Body.Sizes[At(vertex)] = change->Size;
+    for (const Id slot : this->Tets.StarOf(vertex))
+    {
+      this->Tets.Badness[At(slot >> 2)] = this->Tets.BadnessOf(this->Tets.CornersOf(slot >> 2));
+    }
+  }
 }
 
 /// Sets the facets of a vertex of the boundary that become others, or go, where it goes along an

@@ -43,7 +43,11 @@ public:
   /// Merges a vertex into `other`, of a common cell, which replaces it in its cells. If both are
   /// inside, `other` moves to where the worst of the cells about both is best. A vertex of the
   /// boundary goes along an edge of its patch, or chain, where GroundNormals allows it.
+  /// While changes are noted only vertices that are on no line.
   bool Merge(Id vertex, Id other);
+
+  /// Undoes what was noted, which ends.
+  void TakeBack();
 
 private:
   /// A tetrahedron at the vertex, by the facet opposite: its slot and corners.

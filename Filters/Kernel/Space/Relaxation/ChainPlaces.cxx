@@ -32,16 +32,13 @@ ChainPlaces::ChainPlaces(
       const double size = this->Ground.Sizes[At(this->Ground.Chains.At(edge))];
       return Distance(this->Nearest(edge, points[v]), points[v]) < Rounding * size;
     };
-    Id edge = next[At(chains[v])];
+    const Id first = ground.Chains.Begin(chains[v]) + 1;
     const Id end = ground.Chains.End(chains[v]);
-    while (edge < end && !isOn(edge))
+    Id& edge = next[At(chains[v])];
+    for (Id k = first; k < end && this->Edges[v] == NoId; ++k)
     {
-      ++edge;
-    }
-    if (edge < end)
-    {
-      this->Edges[v] = edge;
-      next[At(chains[v])] = edge;
+      this->Edges[v] = isOn(edge) ? edge : NoId;
+      edge = this->Edges[v] != NoId ? edge : edge + 1 < end ? edge + 1 : first;
     }
   }
 }

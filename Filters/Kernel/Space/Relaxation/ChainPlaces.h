@@ -22,7 +22,7 @@ struct ChainPlace
 class ChainPlaces
 {
 public:
-  /// `chains`: of each point, the chain; or NoId. Points of a chain are in its order.
+  /// `chains`: of each point, the chain; or NoId. Quick where points of a chain are in its order.
   ChainPlaces(
     const SurfaceGround& ground, const std::vector<Id>& chains, const std::vector<Point3>& points);
 
