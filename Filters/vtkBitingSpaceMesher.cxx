@@ -20,7 +20,8 @@ VTK_ABI_NAMESPACE_BEGIN
 
 static_assert(static_cast<int>(biting::ProblemCode::TooThin) == vtkBitingSpaceMesher::TOO_THIN &&
     static_cast<int>(biting::ProblemCode::TooSharp) == vtkBitingSpaceMesher::TOO_SHARP &&
-    static_cast<int>(biting::ProblemCode::LostFeatures) == vtkBitingSpaceMesher::LOST_FEATURES,
+    static_cast<int>(biting::ProblemCode::LostFeatures) == vtkBitingSpaceMesher::LOST_FEATURES &&
+    static_cast<int>(biting::ProblemCode::ClosedHoles) == vtkBitingSpaceMesher::CLOSED_HOLES,
   "The kinds of problems that users see are those of the kernel.");
 
 //------------------------------------------------------------------------------
@@ -66,7 +67,7 @@ void vtkBitingSpaceMesher::Execution::Run(const biting::WholeInput& surface,
   const auto run = [this, &surface, &source, outputs]()
   {
     if (this->Gather(surface, source) && this->ReadParameters() && this->ReadSurface() &&
-      this->ReadRegions() && this->Check() && this->ReadSpacing() && this->Mesh())
+      this->ReadRegions() && this->ReadSpacing() && this->Check() && this->Mesh())
     {
       this->Progress.BeginStage("Writing the mesh");
       this->Filter->Summary = this->Write(outputs) + this->Filter->Summary;
@@ -130,6 +131,45 @@ bool vtkBitingSpaceMesher::Execution::ReadSurface()
 }
 
 //------------------------------------------------------------------------------
+bool vtkBitingSpaceMesher::Execution::ReadRegions()
+{
+  biting::Pulse pulse(this->Progress);
+  const std::string& name = this->Filter->RegionArray;
+  if (!this->Accept(biting::FindRegionValues(this->Drawing, name, this->Regions, pulse)))
+  {
+    return false;
+  }
+  biting::SurfaceMesh& mesh = this->Given.Mesh;
+  for (std::size_t t = 0; t < mesh.Cells.size() && this->Regions.Array; ++t)
+  {
+    mesh.Regions.push_back(this->Regions.Pairs[static_cast<std::size_t>(mesh.Cells[t])]);
+  }
+  return !pulse.HasStopped();
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingSpaceMesher::Execution::ReadSpacing()
+{
+  biting::Box3 bounds;
+  for (std::size_t slot = 0; slot < this->Given.Mesh.Corners.size(); ++slot)
+  {
+    bounds.Add(this->Given.Mesh.At(slot));
+  }
+  biting::SourceData source;
+  if (this->Source)
+  {
+    source = this->Choose(this->Filter->GetInputArrayInformation(1), this->Source);
+  }
+  if (!source.Chosen.Array && this->Spacing.Uniform == 0.0)
+  {
+    this->Spacing.Uniform = this->DefaultSpacing * bounds.Diagonal();
+  }
+  return this->Accept(biting::MakeSpaceSpacing(
+           source, this->Spacing, bounds, this->Options.Spacing, this->Places, this->Progress)) &&
+    !this->WasAborted();
+}
+
+//------------------------------------------------------------------------------
 bool vtkBitingSpaceMesher::Execution::Check()
 {
   biting::SurfaceCheckOptions options;
@@ -140,6 +180,10 @@ bool vtkBitingSpaceMesher::Execution::Check()
   }
   options.Noise = this->Given.Rounding.Most;
   options.FeatureAngle = this->Filter->FeatureAngle;
+  if (!this->TakesOpen())
+  {
+    options.Spacing = this->Options.Spacing;
+  }
   biting::ProblemList found;
   this->Surface = biting::CheckSurface(std::move(this->Given.Mesh), options, found, this->Progress);
   for (const biting::ProblemGroup& group : found.Groups())
@@ -163,40 +207,6 @@ bool vtkBitingSpaceMesher::Execution::Check()
     this->Accept(this->Surface.Mesh.NumberOfTriangles() == 0
         ? "The surface is no larger than the rounding of its coordinates, or than Merge Tolerance."
         : "");
-}
-
-//------------------------------------------------------------------------------
-bool vtkBitingSpaceMesher::Execution::ReadRegions()
-{
-  biting::Pulse pulse(this->Progress);
-  const std::string& name = this->Filter->RegionArray;
-  if (!this->Accept(biting::FindRegionValues(this->Drawing, name, this->Regions, pulse)))
-  {
-    return false;
-  }
-  biting::SurfaceMesh& mesh = this->Given.Mesh;
-  for (std::size_t t = 0; t < mesh.Cells.size() && this->Regions.Array; ++t)
-  {
-    mesh.Regions.push_back(this->Regions.Pairs[static_cast<std::size_t>(mesh.Cells[t])]);
-  }
-  return !pulse.HasStopped();
-}
-
-//------------------------------------------------------------------------------
-bool vtkBitingSpaceMesher::Execution::ReadSpacing()
-{
-  biting::SourceData source;
-  if (this->Source)
-  {
-    source = this->Choose(this->Filter->GetInputArrayInformation(1), this->Source);
-  }
-  if (!source.Chosen.Array && this->Spacing.Uniform == 0.0)
-  {
-    this->Spacing.Uniform = this->DefaultSpacing * this->Surface.Figures.Diagonal;
-  }
-  return this->Accept(biting::MakeSpaceSpacing(source, this->Spacing, this->Surface.Mesh.Bounds(),
-           this->Options.Spacing, this->Places, this->Progress)) &&
-    !this->WasAborted();
 }
 
 //------------------------------------------------------------------------------

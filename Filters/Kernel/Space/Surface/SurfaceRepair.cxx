@@ -6,7 +6,7 @@
 #include "../../Predicates/Predicates.h"
 #include "PlaceTable.h"
 
-#include <algorithm> // for sort
+#include <algorithm> // for fill_n, max, sort
 #include <cstdint>   // for marks
 
 namespace biting
@@ -67,6 +67,9 @@ public:
 
   // Whether the flat triangle t went, or has shorter sides now.
   bool Improve(std::size_t t);
+
+  // Whether the thin triangle t, which is new, was flipped.
+  bool Absorb(std::size_t t, std::vector<std::uint8_t>& isNew);
 
   const std::vector<std::uint8_t>& Gone() const { return this->IsGone; }
 
@@ -146,6 +149,33 @@ bool FlatFlips::Improve(std::size_t t)
     return false;
   }
   this->Flip(middle, apex);
+  return true;
+}
+
+bool FlatFlips::Absorb(std::size_t t, std::vector<std::uint8_t>& isNew)
+{
+  constexpr double Thin = 0.1; // of the longest side: how high a thin triangle is
+  std::size_t slot = 3 * t;
+  double longest = 0.0;
+  for (std::size_t k = 3 * t; k < 3 * t + 3; ++k)
+  {
+    const double length = Distance(this->Mesh.At(NextSlotOf(k)), this->Mesh.At(PreviousSlotOf(k)));
+    slot = length > longest ? k : slot;
+    longest = std::max(length, longest);
+  }
+  const Id across = this->Links.Across[slot];
+  if (across < 0 || Length(this->Mesh.Normal(t)) >= Thin * longest * longest)
+  {
+    return false;
+  }
+  const bool isOld = isNew[At(across) / 3] == 0;
+  if ((!isOld && Distance(this->Mesh.At(slot), this->Mesh.At(At(across))) >= longest) ||
+    this->HasEdge(slot, this->Mesh.Corners[At(across)]))
+  {
+    return false;
+  }
+  this->Flip(slot, At(across));
+  isNew[t] = isOld ? 0 : 1;
   return true;
 }
 
@@ -252,6 +282,23 @@ void RemoveFlatTriangles(
     problems.Add(told[k]);
   }
   Remove(mesh, flips.Gone());
+  links = LinkSurface(mesh, pulse);
+}
+
+void FlipThinTriangles(SurfaceMesh& mesh, SurfaceLinks& links, std::size_t first, Pulse& pulse)
+{
+  FlatFlips flips(mesh, links);
+  std::vector<std::uint8_t> isNew(mesh.NumberOfTriangles(), 1);
+  std::fill_n(isNew.begin(), first, std::uint8_t{ 0 });
+  bool isChanged = first < isNew.size();
+  while (isChanged && pulse.Ask())
+  {
+    isChanged = false;
+    for (std::size_t t = first; t < isNew.size(); ++t)
+    {
+      isChanged = (isNew[t] != 0 && flips.Absorb(t, isNew)) || isChanged;
+    }
+  }
   links = LinkSurface(mesh, pulse);
 }
 

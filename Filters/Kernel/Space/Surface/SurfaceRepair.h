@@ -25,6 +25,11 @@ void RemoveDuplicates(SurfaceMesh& mesh, ProblemList& problems, Pulse& pulse);
 void RemoveFlatTriangles(
   SurfaceMesh& mesh, SurfaceLinks& links, ProblemList& problems, Pulse& pulse);
 
+/// Flips the longest sides of triangles away that are flatter than 1 : 10, of those from the number
+/// `first` on. Where a triangle of a lower number is beside, both are as such from then on; between
+/// two others the new edge must be shorter. So flips end.
+void FlipThinTriangles(SurfaceMesh& mesh, SurfaceLinks& links, std::size_t first, Pulse& pulse);
+
 } // namespace biting
 
 #endif

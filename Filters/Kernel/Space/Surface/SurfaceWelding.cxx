@@ -8,7 +8,7 @@
 
 #include <cmath>   // for abs, floor
 #include <cstring> // for the bits of numbers
-#include <utility> // for swap
+#include <numeric> // for iota
 
 namespace biting
 {
@@ -39,9 +39,9 @@ bool AreNear(const Point3& a, const Point3& b, const Point3& rounding)
     std::abs(a.Z - b.Z) <= rounding.Z;
 }
 
-// Gives vertices the numbers of those that they become, `kept`, a lower number or their own; keeps
-// those in use, and the triangles that have three corners.
-void Renumber(SurfaceMesh& mesh, const std::vector<Id>& kept)
+} // namespace
+
+void MergeVertices(SurfaceMesh& mesh, const std::vector<Id>& kept)
 {
   std::vector<Id> numbers(mesh.Points.size(), NoId);
   std::size_t triangles = 0;
@@ -82,18 +82,6 @@ void Renumber(SurfaceMesh& mesh, const std::vector<Id>& kept)
   }
 }
 
-std::vector<Id> FromZeroTo(std::size_t count)
-{
-  std::vector<Id> numbers(count);
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    numbers[k] = static_cast<Id>(k);
-  }
-  return numbers;
-}
-
-} // namespace
-
 std::size_t WeldEqualPoints(SurfaceMesh& mesh, Pulse& pulse)
 {
   std::vector<Id> kept(mesh.Points.size(), NoId);
@@ -122,7 +110,7 @@ std::size_t WeldEqualPoints(SurfaceMesh& mesh, Pulse& pulse)
         table.Add(key, static_cast<Id>(point));
       }
     });
-  Renumber(mesh, kept);
+  MergeVertices(mesh, kept);
   return welded;
 }
 
@@ -138,7 +126,8 @@ std::size_t WeldBorders(SurfaceMesh& mesh, const Point3& rounding, Pulse& pulse)
     }
   }
   std::size_t welded = 0;
-  std::vector<Id> kept = FromZeroTo(mesh.Points.size());
+  std::vector<Id> kept(mesh.Points.size());
+  std::iota(kept.begin(), kept.end(), 0);
   PlaceTable table(links.NumberOfOpen > 0 ? mesh.Points.size() : 0);
   pulse.ForEach(links.NumberOfOpen > 0 ? mesh.Points.size() : 0,
     [&](std::size_t point)
@@ -172,7 +161,7 @@ std::size_t WeldBorders(SurfaceMesh& mesh, const Point3& rounding, Pulse& pulse)
     });
   if (welded > 0)
   {
-    Renumber(mesh, kept);
+    MergeVertices(mesh, kept);
   }
   return welded;
 }

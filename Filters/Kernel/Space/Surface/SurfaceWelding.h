@@ -10,6 +10,10 @@
 namespace biting
 {
 
+/// Gives vertices the numbers of those that they become, `kept`, a lower number or their own; keeps
+/// those in use, and the triangles that have three corners.
+void MergeVertices(SurfaceMesh& mesh, const std::vector<Id>& kept);
+
 /// Makes one vertex of points at one place, in the order of the first point at each, and forgets
 /// points that no triangle uses. Triangles of which two corners become one go. Returns how many
 /// points in use were at the place of another.
