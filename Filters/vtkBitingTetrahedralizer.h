@@ -15,8 +15,12 @@
  * trial, those of the boundary along the surface.
  *
  * @par Input 0, the surfaces:
- * As of vtkBitingSurfaceMesher, closed. What an odd number of closed surfaces encloses is filled:
- * a surface in another one bounds a cavity. With RegionArray closed surfaces enclose the region
+ * As of vtkBitingSurfaceMesher, closed but for holes and slits that are narrow for f: where no place
+ * of one is farther from its border than f / (4 sqrt(2)), the generalized winding number is clear
+ * at a quarter of f from the surface. These are closed, with a warning and their places: triangles
+ * that are missing, cracks of any length, vertices on the edge of a neighbor. Their triangles have
+ * the cell arrays of those beside. What an odd number of closed surfaces encloses is filled: a
+ * surface in another one bounds a cavity. With RegionArray closed surfaces enclose the region
  * of their value, and a surface in another one with another value is the wall between two regions.
  * Walls that two regions have, each its own, become one, also where their triangles differ, as in
  * contours of labels (vtkDiscreteMarchingCubes): no vertex moves, the volume of a region changes by
@@ -51,7 +55,9 @@
  * As that of vtkBitingSurfaceMesher.
  *
  * @par Messages:
- * Errors, with empty outputs: those of vtkBitingSurfaceMesher; surfaces that are open. The mesh is
+ * Errors, with empty outputs: those of vtkBitingSurfaceMesher; surfaces that are open, with all
+ * holes that stay (vtkFillHolesFilter closes holes of any size); bodies that cross each other
+ * (vtkBooleanOperationPolyDataFilter makes one of two). The mesh is
  * checked before it is handed out: all tetrahedra positive, by exact signs, their boundary closed
  * and the surface's, the volume of each region. Empty input: empty outputs.
  *

@@ -81,12 +81,14 @@ void SurfaceChecker::Run(Monitor& monitor)
 
 void SurfaceChecker::Weld()
 {
+  const auto reach = [this](const Point3& place)
+  { return ClearShare * this->Options.Spacing(place); };
   std::size_t welded = WeldEqualPoints(this->Mesh, this->Beats);
   welded += WeldBorders(this->Mesh, this->Options.Rounding, this->Beats);
   this->Result.Figures.WeldedPoints = static_cast<std::int64_t>(welded);
   if (this->Options.Spacing)
   {
-    WeldSlits(this->Mesh, this->Options.Spacing, this->Problems, this->Beats);
+    WeldSlits(this->Mesh, reach, this->Problems, this->Beats);
   }
   if (!this->Mesh.Regions.empty())
   {
@@ -97,7 +99,7 @@ void SurfaceChecker::Weld()
   RemoveFlatTriangles(this->Mesh, this->Links, this->Problems, this->Beats);
   if (this->Options.Spacing)
   {
-    CloseHoles(this->Mesh, this->Links, this->Options.Spacing, this->Problems, this->Beats);
+    CloseHoles(this->Mesh, this->Links, reach, this->Problems, this->Beats);
   }
 }
 

@@ -6,9 +6,8 @@
 #include "../../Base/DistanceToSegment.h"
 #include "../../Base/Numbers.h"
 #include "SurfaceRepair.h"
-#include "SurfaceWelding.h"
 
-#include <algorithm> // for any_of, min, minmax, reverse, sort
+#include <algorithm> // for all_of, find_if, min, minmax, reverse, rotate
 #include <array>     // for triangles
 #include <cstdint>   // for marks
 #include <numeric>   // for iota
@@ -21,57 +20,50 @@ namespace biting
 namespace
 {
 
-constexpr double ClearShare = 0.17677669529663687; // of f: 1 / (4 sqrt(2))
-
 // Patches for holes, one after the other.
 class HolePatches
 {
 public:
-  HolePatches(
-    SurfaceMesh& mesh, const SurfaceLinks& links, const SpacingField& spacing, Pulse& pulse)
+  HolePatches(SurfaceMesh& mesh, const SpacingField& reach, Pulse& pulse)
     : Mesh(mesh)
-    , Spacing(spacing)
+    , Reach(reach)
     , Beats(pulse)
+    , SlotsAt(CornersOfVertices(mesh))
   {
-    std::vector<std::uint8_t> isOnBorder(mesh.Points.size(), 0);
-    for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
-    {
-      if (links.Across[slot] == OpenEdge)
-      {
-        isOnBorder[At(mesh.Corners[NextSlotOf(slot)])] = 1;
-        isOnBorder[At(mesh.Corners[PreviousSlotOf(slot)])] = 1;
-      }
-    }
-    for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
-    {
-      const Id a = mesh.Corners[NextSlotOf(slot)];
-      const Id b = mesh.Corners[PreviousSlotOf(slot)];
-      if (isOnBorder[At(a)] != 0 && isOnBorder[At(b)] != 0)
-      {
-        this->Edges.insert(std::minmax(a, b));
-      }
-    }
   }
 
   // Whether the hole was closed.
   bool Close(const BorderChain& hole)
   {
-    constexpr std::size_t MostEdges = 10000;
-    if (!hole.IsLoop || hole.Slots.size() > MostEdges)
+    this->Begin(hole);
+    return this->Fill();
+  }
+
+  // Whether both loops border one slit, which was closed: they are joined where they are nearest, by
+  // an edge there and back.
+  bool CloseBetween(const BorderChain& hole, const BorderChain& other)
+  {
+    this->Begin(other);
+    const std::vector<Id> loop = std::move(this->Loop);
+    std::vector<std::size_t> beside = std::move(this->Beside);
+    this->Begin(hole);
+    std::array<std::size_t, 2> nearest{ 0, 0 };
+    double least = Infinity;
+    for (std::size_t i = 0; i < this->Loop.size(); ++i)
+    {
+      for (std::size_t j = 0; j < loop.size() && this->Beats.Beat(1); ++j)
+      {
+        const double distance = Distance(this->Place(i), this->Mesh.Points[At(loop[j])]);
+        nearest = distance < least ? std::array<std::size_t, 2>{ i, j } : nearest;
+        least = std::min(distance, least);
+      }
+    }
+    if (!(least <= 2.0 * this->Reach(this->Place(nearest[0]))))
     {
       return false;
     }
-    this->Begin(hole);
-    std::vector<std::size_t> all(this->Loop.size());
-    std::iota(all.begin(), all.end(), 0);
-    const bool isClear = this->Triangulate(all) &&
-      std::all_of(this->Triangles.begin(), this->Triangles.end(),
-        [this](const Corners& corners) { return this->IsClear(corners); });
-    if (isClear)
-    {
-      this->AddTriangles();
-    }
-    return isClear;
+    this->Join(nearest[0], loop, beside, nearest[1]);
+    return this->Fill();
   }
 
 private:
@@ -98,7 +90,48 @@ private:
 
   bool HasEdge(std::size_t i, std::size_t j) const
   {
-    return this->Edges.count(std::minmax(this->Loop[i], this->Loop[j])) > 0;
+    return this->Loop[i] == this->Loop[j] ||
+      this->Chords.count(std::minmax(this->Loop[i], this->Loop[j])) > 0 ||
+      biting::HasEdge(this->Mesh, this->SlotsAt, this->Loop[i], this->Loop[j]);
+  }
+
+  // The loop becomes one with another one: from its place `own` to the place `its` of that, and back.
+  void Join(std::size_t own, std::vector<Id> loop, std::vector<std::size_t> beside, std::size_t its)
+  {
+    const auto turn = [](auto& items, std::size_t first) {
+      std::rotate(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(first), items.end());
+    };
+    turn(this->Loop, own);
+    turn(this->Beside, own);
+    turn(loop, its);
+    turn(beside, its);
+    const bool isEdge = this->Loop.front() != loop.front();
+    if (isEdge)
+    {
+      this->Chords.insert(std::minmax(this->Loop.front(), loop.front()));
+      this->Loop.push_back(this->Loop.front());
+      this->Beside.push_back(this->Beside.back());
+      loop.push_back(loop.front());
+      beside.push_back(beside.back());
+    }
+    this->Loop.insert(this->Loop.end(), loop.begin(), loop.end());
+    this->Beside.insert(this->Beside.end(), beside.begin(), beside.end());
+  }
+
+  // Whether the loop was closed.
+  bool Fill()
+  {
+    std::vector<std::size_t> all(this->Loop.size());
+    std::iota(all.begin(), all.end(), 0);
+    const bool isTriangle = all.size() == 3 && this->Beside[0] == this->Beside[1];
+    const bool isClear = !isTriangle && this->Triangulate(all) &&
+      std::all_of(this->Triangles.begin(), this->Triangles.end(),
+        [this](const Corners& corners) { return this->IsClear(corners); });
+    if (isClear)
+    {
+      this->AddTriangles();
+    }
+    return isClear;
   }
 
   // Of the places of the loop in `part`, in order. Whether there is a triangulation.
@@ -185,24 +218,7 @@ private:
     const Point3 a = this->Place(corners[1]) - this->Place(corners[0]);
     const Point3 b = this->Place(corners[2]) - this->Place(corners[1]);
     const Point3 c = this->Place(corners[0]) - this->Place(corners[2]);
-    return this->IsThere(corners)
-      ? Infinity
-      : 0.5 * Length(Cross(a, b)) + Weight * (Dot(a, a) + Dot(b, b) + Dot(c, c));
-  }
-
-  // Whether the surface has the triangle.
-  bool IsThere(const Corners& corners) const
-  {
-    bool isThere = false;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const std::size_t from = corners[k];
-      const Id* beside = &this->Mesh.Corners[3 * this->Beside[from]];
-      isThere = isThere ||
-        (corners[(k + 1) % 3] == (from + 1) % this->Loop.size() &&
-          std::count(beside, beside + 3, this->Loop[corners[(k + 2) % 3]]) > 0);
-    }
-    return isThere;
+    return 0.5 * Length(Cross(a, b)) + Weight * (Dot(a, a) + Dot(b, b) + Dot(c, c));
   }
 
   // Whether the middle of the circle in the triangle, and of sides, are near the loop.
@@ -225,7 +241,7 @@ private:
 
   bool IsNear(const Point3& place)
   {
-    const double reach = ClearShare * this->Spacing(place);
+    const double reach = this->Reach(place);
     bool isNear = false;
     for (std::size_t k = 0; k < this->Loop.size() && !isNear && this->Beats.Beat(1); ++k)
     {
@@ -247,95 +263,24 @@ private:
       for (std::size_t k = 0; k < 3; ++k)
       {
         this->Mesh.Corners[3 * added + k] = this->Loop[corners[k]];
-        this->Edges.insert(std::minmax(this->Loop[corners[k]], this->Loop[corners[(k + 1) % 3]]));
+        this->Chords.insert(std::minmax(this->Loop[corners[k]], this->Loop[corners[(k + 1) % 3]]));
       }
     }
   }
 
   SurfaceMesh& Mesh;
-  const SpacingField& Spacing;
+  const SpacingField& Reach;
   Pulse& Beats;
-  std::set<std::pair<Id, Id>> Edges; ///< between vertices of borders
-  std::vector<Id> Loop;              ///< vertices of the hole at hand
-  std::vector<std::size_t> Beside;   ///< of each edge of it, from its vertex on: the triangle
-  std::vector<Corners> Triangles;    ///< of its patch
+  IdLists SlotsAt;                    ///< of the given triangles
+  std::set<std::pair<Id, Id>> Chords; ///< edges of patches
+  std::vector<Id> Loop;               ///< vertices of the hole at hand
+  std::vector<std::size_t> Beside;    ///< of each edge of it, from its vertex on: the triangle
+  std::vector<Corners> Triangles;     ///< of its patch
 };
-
-// Of each vertex on open edges how near another one has to be to become one with it; others 0.
-std::vector<double> ReachesOnBorders(
-  const SurfaceMesh& mesh, const SurfaceLinks& links, const SpacingField& spacing)
-{
-  constexpr double ShareOfEdges = 0.1;
-  std::vector<double> reaches(mesh.Points.size(), 0.0);
-  for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
-  {
-    if (links.Across[slot] == OpenEdge)
-    {
-      const Id a = mesh.Corners[NextSlotOf(slot)];
-      const Id b = mesh.Corners[PreviousSlotOf(slot)];
-      const double share = ShareOfEdges * Distance(mesh.Points[At(a)], mesh.Points[At(b)]);
-      for (const Id end : { a, b })
-      {
-        double& reach = reaches[At(end)];
-        reach = reach == 0.0 ? ClearShare * spacing(mesh.Points[At(end)]) : reach;
-        reach = std::min(reach, share);
-      }
-    }
-  }
-  return reaches;
-}
 
 } // namespace
 
-void WeldSlits(SurfaceMesh& mesh, const SpacingField& spacing, ProblemList& problems, Pulse& pulse)
-{
-  const SurfaceLinks links = LinkSurface(mesh, pulse);
-  if (links.NumberOfOpen == 0)
-  {
-    return;
-  }
-  const std::vector<double> reaches = ReachesOnBorders(mesh, links, spacing);
-  // A sweep in a direction along which few borders lie.
-  const Point3 sweep{ 0.8, 0.5, 0.3316624790355400 };
-  std::vector<std::pair<double, Id>> order;
-  std::vector<Id> kept(mesh.Points.size());
-  std::iota(kept.begin(), kept.end(), 0);
-  for (std::size_t point = 0; point < reaches.size(); ++point)
-  {
-    if (reaches[point] > 0.0)
-    {
-      order.emplace_back(Dot(sweep, mesh.Points[point]), static_cast<Id>(point));
-    }
-  }
-  std::sort(order.begin(), order.end());
-  for (auto one = order.begin(); one != order.end(); ++one)
-  {
-    const Id vertex = one->second;
-    const Point3& place = mesh.Points[At(vertex)];
-    const double reach = reaches[At(vertex)];
-    for (auto other = one + 1; kept[At(vertex)] == vertex && other != order.end() &&
-         other->first - one->first < reach && pulse.Beat(1);
-         ++other)
-    {
-      const Id next = other->second;
-      const double distance = Distance(place, mesh.Points[At(next)]);
-      if (kept[At(next)] == next && distance < std::min(reach, reaches[At(next)]))
-      {
-        kept[At(std::max(vertex, next))] = std::min(vertex, next);
-        problems.Add({ ProblemCode::NearPoints,
-          { mesh.PointIds[At(std::max(vertex, next))], mesh.PointIds[At(std::min(vertex, next))] },
-          place, "on open edges, " + Figure(distance) + " apart" });
-      }
-    }
-  }
-  for (Id& vertex : kept)
-  {
-    vertex = kept[At(vertex)]; // lower ones first
-  }
-  MergeVertices(mesh, kept);
-}
-
-void CloseHoles(SurfaceMesh& mesh, SurfaceLinks& links, const SpacingField& spacing,
+void CloseHoles(SurfaceMesh& mesh, SurfaceLinks& links, const SpacingField& reach,
   ProblemList& problems, Pulse& pulse)
 {
   if (links.NumberOfOpen == 0)
@@ -343,12 +288,32 @@ void CloseHoles(SurfaceMesh& mesh, SurfaceLinks& links, const SpacingField& spac
     return;
   }
   const std::size_t given = mesh.NumberOfTriangles();
-  HolePatches patches(mesh, links, spacing, pulse);
-  for (const BorderChain& hole : BorderChains(mesh, links, pulse))
+  HolePatches patches(mesh, reach, pulse);
+  std::vector<BorderChain> left;
+  const auto tell = [&mesh, &problems](const BorderChain& hole)
+  { problems.Add(BorderProblem(ProblemCode::ClosedHoles, mesh, hole)); };
+  for (BorderChain& hole : BorderChains(mesh, links, pulse))
   {
-    if (patches.Close(hole))
+    constexpr std::size_t MostEdges = 10000;
+    const bool isPossible = hole.IsLoop && hole.Slots.size() <= MostEdges;
+    if (isPossible && patches.Close(hole))
     {
-      problems.Add(BorderProblem(ProblemCode::ClosedHoles, mesh, hole));
+      tell(hole);
+    }
+    else if (isPossible)
+    {
+      left.push_back(std::move(hole));
+    }
+  }
+  for (auto hole = left.begin(); hole != left.end(); ++hole)
+  {
+    const auto other = std::find_if(hole + 1, left.end(),
+      [hole, &patches](const BorderChain& next) { return patches.CloseBetween(*hole, next); });
+    if (other != left.end())
+    {
+      tell(*hole);
+      tell(*other);
+      left.erase(other);
     }
   }
   links = LinkSurface(mesh, pulse);

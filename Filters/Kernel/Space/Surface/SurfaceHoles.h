@@ -7,8 +7,7 @@
 #include "../../Base/Problem.h"
 #include "../../Base/Pulse.h"
 #include "SurfaceLinks.h"
-
-#include <functional> // for the spacing
+#include "SurfaceWelding.h"
 
 // Holes and slits that leave no doubt about what is inside, by f.
 //
@@ -21,19 +20,17 @@
 namespace biting
 {
 
-using SpacingField = std::function<double(const Point3&)>;
-
-/// Makes one vertex of those of open edges that are nearer to each other than a tenth of the
-/// shortest open edge at either, and than f / (4 sqrt(2)). Each is told as NearPoints.
-void WeldSlits(SurfaceMesh& mesh, const SpacingField& spacing, ProblemList& problems, Pulse& pulse);
+/// Of f: how far a place of a hole may be from its border.
+constexpr double ClearShare = 0.17677669529663687; // 1 / (4 sqrt(2))
 
 /// Closes loops of open edges (BorderChains) by triangles, told as ClosedHoles: those of at most
-/// 10000 edges, of which no middle of a triangle or new edge is farther than f / (4 sqrt(2)) from
-/// the loop. The triangulation is that of the least area but for a thousandth of the squares of
+/// 10000 edges, of which no middle of a triangle or new edge is farther than `reach` there from the
+/// loop. The triangulation is that of the least area but for a thousandth of the squares of
 /// lengths; long loops are divided before, at short edges. Its triangles are of the cells and
 /// regions beside. Those flatter than 1 : 10 are flipped away: the neighbor across the longest side
-/// gets a vertex there, as a crack at a vertex on an edge wants. All other loops stay open.
-void CloseHoles(SurfaceMesh& mesh, SurfaceLinks& links, const SpacingField& spacing,
+/// gets a vertex there, as a crack at a vertex on an edge wants. Two
+/// loops that border one slit are closed together. All other loops stay open.
+void CloseHoles(SurfaceMesh& mesh, SurfaceLinks& links, const SpacingField& reach,
   ProblemList& problems, Pulse& pulse);
 
 /// A chain as a problem, with its figures.

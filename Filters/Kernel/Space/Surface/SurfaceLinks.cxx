@@ -3,10 +3,9 @@
 
 #include "SurfaceLinks.h"
 
-#include "../../Base/IdLists.h"
 #include "../../Base/Numbers.h"
 
-#include <algorithm> // for max, minmax, sort
+#include <algorithm> // for any_of, max, sort
 #include <cstdint>   // for marks
 #include <utility>   // for move, pair
 
@@ -15,11 +14,6 @@ namespace biting
 
 namespace
 {
-
-std::pair<Id, Id> EndsOf(const SurfaceMesh& mesh, std::size_t slot)
-{
-  return std::minmax({ mesh.Corners[NextSlotOf(slot)], mesh.Corners[PreviousSlotOf(slot)] });
-}
 
 // An edge as it is seen from its lower vertex: the higher one, and the slot.
 using EdgeEnd = std::pair<Id, Id>;
@@ -248,6 +242,29 @@ SurfaceLinks LinkSurface(const SurfaceMesh& mesh, Pulse& pulse)
       }
     });
   return links;
+}
+
+IdLists CornersOfVertices(const SurfaceMesh& mesh)
+{
+  return IdLists(mesh.Points.size(),
+    [&mesh](const auto& add)
+    {
+      for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
+      {
+        add(mesh.Corners[slot], static_cast<Id>(slot));
+      }
+    });
+}
+
+bool HasEdge(const SurfaceMesh& mesh, const IdLists& slotsAt, Id one, Id other)
+{
+  const IdLists::List slots = slotsAt[one];
+  return std::any_of(slots.begin(), slots.end(),
+    [&mesh, other](Id slot)
+    {
+      return mesh.Corners[NextSlotOf(At(slot))] == other ||
+        mesh.Corners[PreviousSlotOf(At(slot))] == other;
+    });
 }
 
 bool AreAlike(const SurfaceMesh& mesh, const SurfaceLinks& links, std::size_t slot)

@@ -325,6 +325,60 @@ TEST(SurfaceCheck, DividesEdgesAtTheVerticesOfCracks)
   }
 }
 
+TEST(SurfaceCheck, WeldsTrianglesThatAreApartAndNoShortSides)
+{
+  Soup soup;
+  soup.AddBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 0.004 });
+  Dice dice(3);
+  for (Point3& point : soup.Mesh.Points)
+  {
+    point = point + 1e-5 * Point3{ dice.Unit(), dice.Unit(), dice.Unit() };
+  }
+  const Verdict verdict = JudgeClosed(soup, 0.1);
+  EXPECT_FALSE(verdict.Problems.HasErrors());
+  EXPECT_EQ(verdict.Count(ProblemCode::NearPoints), 28);
+  EXPECT_EQ(verdict.Surface.Mesh.Points.size(), 8u);
+  EXPECT_EQ(verdict.Figures().EulerNumber, 2);
+}
+
+TEST(SurfaceCheck, ClosesSlitsBetweenLoopsOfDifferentVertices)
+{
+  for (const double turn : { 0.0, 0.1 }) // a common vertex, or none
+  {
+    Soup soup;
+    const auto at = [](int k, int n, double from, double height)
+    {
+      const double angle = from + 2.0 * Pi * (k % n) / n;
+      return Point3{ std::cos(angle), std::sin(angle), height };
+    };
+    constexpr int Wall = 24;
+    for (int k = 0; k < Wall; ++k)
+    {
+      soup.Add(at(k, Wall, 0.0, 0.0), at(k + 1, Wall, 0.0, 0.0), at(k + 1, Wall, 0.0, 1.0));
+      soup.Add(at(k, Wall, 0.0, 0.0), at(k + 1, Wall, 0.0, 1.0), at(k, Wall, 0.0, 1.0));
+    }
+    for (const int n : { 17, 90 })
+    {
+      const double height = n == 17 ? 0.0 : 1.0;
+      for (int k = 0; k < n; ++k)
+      {
+        soup.Add({ 0.0, 0.0, height }, at(k + 1, n, turn, height), at(k, n, turn, height));
+        if (n == 90)
+        {
+          soup.Turn(soup.Mesh.NumberOfTriangles() - 1);
+        }
+      }
+    }
+    const Verdict verdict = JudgeClosed(soup, 0.2);
+    EXPECT_FALSE(verdict.Problems.HasErrors()) << turn;
+    EXPECT_GT(verdict.Count(ProblemCode::ClosedHoles), 3) << turn;
+    EXPECT_EQ(verdict.Count(ProblemCode::InconsistentEdges), 0) << turn;
+    EXPECT_EQ(verdict.Figures().EulerNumber, 2) << turn;
+    EXPECT_NEAR(verdict.Figures().Volume, Pi, 0.05) << turn;
+    EXPECT_GT(JudgeClosed(soup, 0.02).Count(ProblemCode::OpenEdges), 1) << turn;
+  }
+}
+
 TEST(SurfaceCheck, TellsHolesThatTouchOneByOne)
 {
   Soup soup;
