@@ -92,6 +92,7 @@ public:
 private:
   bool Improve(std::size_t t);
   void Leave(std::size_t middle);
+  bool KeepsSides(std::size_t middle, std::size_t across) const;
   bool HasEdge(std::size_t corner, Id vertex) const;
   void Flip(std::size_t middle, std::size_t across);
   void Join(std::size_t slot, Id other);
@@ -145,14 +146,26 @@ bool FlatFlips::Improve(std::size_t t)
     return true;
   }
   const bool isFlat = this->IsFlat[At(across) / 3] != 0;
-  if ((isFlat && Distance(this->Mesh.At(middle), this->Mesh.At(At(across))) >= longest) ||
-    this->HasEdge(middle, this->Mesh.Corners[At(across)]))
+  const bool isBetter = isFlat
+    ? Distance(this->Mesh.At(middle), this->Mesh.At(At(across))) < longest
+    : this->KeepsSides(middle, At(across));
+  if (!isBetter || this->HasEdge(middle, this->Mesh.Corners[At(across)]))
   {
     return false;
   }
   this->Flip(middle, At(across));
   this->IsFlat[t] = isFlat ? 1 : 0;
   return true;
+}
+
+// Whether the halves of the triangle of `across` look as it does.
+bool FlatFlips::KeepsSides(std::size_t middle, std::size_t across) const
+{
+  const Point3 normal = this->Mesh.Normal(across / 3);
+  const Point3 way = this->Mesh.At(across) - this->Mesh.At(middle);
+  const Point3 next = this->Mesh.At(NextSlotOf(across)) - this->Mesh.At(middle);
+  const Point3 previous = this->Mesh.At(PreviousSlotOf(across)) - this->Mesh.At(middle);
+  return Dot(Cross(next, way), normal) <= 0.0 && Dot(Cross(previous, way), normal) >= 0.0;
 }
 
 // The triangle goes; its side opposite `middle` is open.
