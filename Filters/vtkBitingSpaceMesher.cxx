@@ -150,11 +150,6 @@ bool vtkBitingSpaceMesher::Execution::ReadRegions()
 //------------------------------------------------------------------------------
 bool vtkBitingSpaceMesher::Execution::ReadSpacing()
 {
-  biting::Box3 bounds;
-  for (std::size_t slot = 0; slot < this->Given.Mesh.Corners.size(); ++slot)
-  {
-    bounds.Add(this->Given.Mesh.At(slot));
-  }
   biting::SourceData source;
   if (this->Source)
   {
@@ -162,10 +157,10 @@ bool vtkBitingSpaceMesher::Execution::ReadSpacing()
   }
   if (!source.Chosen.Array && this->Spacing.Uniform == 0.0)
   {
-    this->Spacing.Uniform = this->DefaultSpacing * bounds.Diagonal();
+    this->Spacing.Uniform = this->DefaultSpacing * this->Given.Mesh.Bounds().Diagonal();
   }
-  return this->Accept(biting::MakeSpaceSpacing(
-           source, this->Spacing, bounds, this->Options.Spacing, this->Places, this->Progress)) &&
+  return this->Accept(biting::MakeSpaceSpacing(source, this->Spacing, this->Given.Mesh.Bounds(),
+           this->Options.Spacing, this->Places, this->Progress)) &&
     !this->WasAborted();
 }
 
@@ -180,10 +175,7 @@ bool vtkBitingSpaceMesher::Execution::Check()
   }
   options.Noise = this->Given.Rounding.Most;
   options.FeatureAngle = this->Filter->FeatureAngle;
-  if (!this->TakesOpen())
-  {
-    options.Spacing = this->Options.Spacing;
-  }
+  options.Spacing = this->TakesOpen() ? biting::SpacingField() : this->Options.Spacing;
   biting::ProblemList found;
   this->Surface = biting::CheckSurface(std::move(this->Given.Mesh), options, found, this->Progress);
   for (const biting::ProblemGroup& group : found.Groups())

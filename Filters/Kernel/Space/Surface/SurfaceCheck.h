@@ -15,8 +15,9 @@
 
 // What is wrong with a surface, and where; and the surface as other rooms of space take it: welded,
 // without flat and duplicate triangles, oriented by nesting. Open, crossing and non-manifold
-// surfaces stay what they are, but for holes that are to be closed (SurfaceHoles.h). Topology is decided by exact signs; the one tolerance is the
-// rounding of the coordinates. The result does not depend on the number of threads.
+// surfaces stay what they are, but for holes that are to be closed (SurfaceHoles.h). Topology is
+// decided by exact signs; the one tolerance is the rounding of the coordinates. The result does not
+// depend on the number of threads.
 
 namespace biting
 {

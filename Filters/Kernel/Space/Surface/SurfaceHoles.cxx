@@ -39,8 +39,8 @@ public:
     return this->Fill();
   }
 
-  // Whether both loops border one slit, which was closed: they are joined where they are nearest, by
-  // an edge there and back.
+  // Whether both loops border one slit, which was closed: they are joined where they are nearest,
+  // by an edge there and back.
   bool CloseBetween(const BorderChain& hole, const BorderChain& other)
   {
     this->Begin(other);
@@ -48,8 +48,11 @@ public:
     std::vector<std::size_t> beside = std::move(this->Beside);
     this->Begin(hole);
     std::array<std::size_t, 2> nearest{ 0, 0 };
+    // No place of a loop is farther from the first one than half of its length.
+    const double apart = Distance(this->Place(0), this->Mesh.Points[At(loop.front())]);
+    const double reach = 2.0 * this->Reach(this->Place(0)) + 0.5 * (hole.Length + other.Length);
     double least = Infinity;
-    for (std::size_t i = 0; i < this->Loop.size(); ++i)
+    for (std::size_t i = 0; i < this->Loop.size() && apart <= reach; ++i)
     {
       for (std::size_t j = 0; j < loop.size() && this->Beats.Beat(1); ++j)
       {
@@ -95,7 +98,7 @@ private:
       biting::HasEdge(this->Mesh, this->SlotsAt, this->Loop[i], this->Loop[j]);
   }
 
-  // The loop becomes one with another one: from its place `own` to the place `its` of that, and back.
+  // The loop becomes one with another one, from its place `own` to the place `its` of that.
   void Join(std::size_t own, std::vector<Id> loop, std::vector<std::size_t> beside, std::size_t its)
   {
     const auto turn = [](auto& items, std::size_t first) {

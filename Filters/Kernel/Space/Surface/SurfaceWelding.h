@@ -26,8 +26,8 @@ std::size_t WeldEqualPoints(SurfaceMesh& mesh, Pulse& pulse);
 /// Returns how many vertices became others. Cost O(n log n) where few are that near.
 std::size_t WeldBorders(SurfaceMesh& mesh, const Point3& rounding, Pulse& pulse);
 
-/// The same for those that are nearer than a tenth of the shortest side of their triangles, and than
-/// `reach` there. Each is told as NearPoints.
+/// The same for those that are nearer than a tenth of the shortest side of their triangles, and
+/// than `reach` there. Each is told as NearPoints.
 void WeldSlits(SurfaceMesh& mesh, const SpacingField& reach, ProblemList& problems, Pulse& pulse);
 
 } // namespace biting
