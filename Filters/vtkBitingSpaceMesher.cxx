@@ -19,7 +19,8 @@ VTK_ABI_NAMESPACE_BEGIN
 
 static_assert(static_cast<int>(biting::ProblemCode::TooThin) == vtkBitingSpaceMesher::TOO_THIN &&
     static_cast<int>(biting::ProblemCode::TooSharp) == vtkBitingSpaceMesher::TOO_SHARP &&
-    static_cast<int>(biting::ProblemCode::LostFeatures) == vtkBitingSpaceMesher::LOST_FEATURES,
+    static_cast<int>(biting::ProblemCode::LostFeatures) == vtkBitingSpaceMesher::LOST_FEATURES &&
+    static_cast<int>(biting::ProblemCode::ClosedHoles) == vtkBitingSpaceMesher::CLOSED_HOLES,
   "The kinds of problems that users see are those of the kernel.");
 
 //------------------------------------------------------------------------------
@@ -65,7 +66,7 @@ void vtkBitingSpaceMesher::Execution::Run(const biting::WholeInput& surface,
   const auto run = [this, &surface, &source, outputs]()
   {
     if (this->Gather(surface, source) && this->ReadParameters() && this->ReadSurface() &&
-      this->ReadRegions() && this->Check() && this->ReadSpacing() && this->Mesh())
+      this->ReadRegions() && this->ReadSpacing() && this->Check() && this->Mesh())
     {
       this->Progress.BeginStage("Writing the mesh");
       this->Filter->Summary = this->Write(outputs) + this->Filter->Summary;
@@ -129,41 +130,6 @@ bool vtkBitingSpaceMesher::Execution::ReadSurface()
 }
 
 //------------------------------------------------------------------------------
-bool vtkBitingSpaceMesher::Execution::Check()
-{
-  biting::SurfaceCheckOptions options;
-  const double merged = this->Filter->MergeTolerance * this->Given.Mesh.Bounds().Diagonal();
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    options.Rounding[axis] = std::max(this->Given.Rounding.Axes[axis], merged);
-  }
-  options.Noise = this->Given.Rounding.Most;
-  options.FeatureAngle = this->Filter->FeatureAngle;
-  biting::ProblemList found;
-  this->Surface = biting::CheckSurface(std::move(this->Given.Mesh), options, found, this->Progress);
-  for (const biting::ProblemGroup& group : found.Groups())
-  {
-    const bool isMeshed = group.Code == biting::ProblemCode::NonManifoldEdges ||
-      group.Code ==
-        (this->TakesOpen() ? biting::ProblemCode::OpenEdges : biting::ProblemCode::PinchedVertices);
-    if (!isMeshed)
-    {
-      this->Problems.Add(group);
-    }
-  }
-  const std::vector<biting::Id>& cells = this->Surface.Mesh.Cells;
-  this->Options.Regions = this->Surface.Shells.RegionOf;
-  for (std::size_t t = 0; t < cells.size() && this->Regions.Array; ++t)
-  {
-    this->Options.Regions[t] = this->Regions.Numbers[static_cast<std::size_t>(cells[t])];
-  }
-  return this->AcceptProblems(nullptr) && !this->WasAborted() &&
-    this->Accept(this->Surface.Mesh.NumberOfTriangles() == 0
-        ? "The surface is no larger than the rounding of its coordinates, or than Merge Tolerance."
-        : "");
-}
-
-//------------------------------------------------------------------------------
 bool vtkBitingSpaceMesher::Execution::ReadRegions()
 {
   biting::Pulse pulse(this->Progress);
@@ -190,11 +156,47 @@ bool vtkBitingSpaceMesher::Execution::ReadSpacing()
   }
   if (!source.Chosen.Array && this->Spacing.Uniform == 0.0)
   {
-    this->Spacing.Uniform = this->DefaultSpacing * this->Surface.Figures.Diagonal;
+    this->Spacing.Uniform = this->DefaultSpacing * this->Given.Mesh.Bounds().Diagonal();
   }
-  return this->Accept(biting::MakeSpaceSpacing(source, this->Spacing, this->Surface.Mesh.Bounds(),
+  return this->Accept(biting::MakeSpaceSpacing(source, this->Spacing, this->Given.Mesh.Bounds(),
            this->Options.Spacing, this->Places, this->Progress)) &&
     !this->WasAborted();
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingSpaceMesher::Execution::Check()
+{
+  biting::SurfaceCheckOptions options;
+  const double merged = this->Filter->MergeTolerance * this->Given.Mesh.Bounds().Diagonal();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    options.Rounding[axis] = std::max(this->Given.Rounding.Axes[axis], merged);
+  }
+  options.Noise = this->Given.Rounding.Most;
+  options.FeatureAngle = this->Filter->FeatureAngle;
+  options.Spacing = this->TakesOpen() ? biting::SpacingField() : this->Options.Spacing;
+  biting::ProblemList found;
+  this->Surface = biting::CheckSurface(std::move(this->Given.Mesh), options, found, this->Progress);
+  for (const biting::ProblemGroup& group : found.Groups())
+  {
+    const bool isMeshed = group.Code == biting::ProblemCode::NonManifoldEdges ||
+      group.Code ==
+        (this->TakesOpen() ? biting::ProblemCode::OpenEdges : biting::ProblemCode::PinchedVertices);
+    if (!isMeshed)
+    {
+      this->Problems.Add(group);
+    }
+  }
+  const std::vector<biting::Id>& cells = this->Surface.Mesh.Cells;
+  this->Options.Regions = this->Surface.Shells.RegionOf;
+  for (std::size_t t = 0; t < cells.size() && this->Regions.Array; ++t)
+  {
+    this->Options.Regions[t] = this->Regions.Numbers[static_cast<std::size_t>(cells[t])];
+  }
+  return this->AcceptProblems(nullptr) && !this->WasAborted() &&
+    this->Accept(this->Surface.Mesh.NumberOfTriangles() == 0
+        ? "The surface is no larger than the rounding of its coordinates, or than Merge Tolerance."
+        : "");
 }
 
 //------------------------------------------------------------------------------

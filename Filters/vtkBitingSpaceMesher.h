@@ -40,9 +40,10 @@ public:
    */
   enum ProblemKindType
   {
-    TOO_THIN = 38,     ///< walls or feature lines too near to each other for f (cell)
-    TOO_SHARP = 39,    ///< faces at too small an angle for f (cell)
-    LOST_FEATURES = 40 ///< a feature that the mesh cuts off or leaves out (point)
+    TOO_THIN = 38,      ///< walls or feature lines too near to each other for f (cell)
+    TOO_SHARP = 39,     ///< faces at too small an angle for f (cell)
+    LOST_FEATURES = 40, ///< a feature that the mesh cuts off or leaves out (point)
+    CLOSED_HOLES = 41   ///< of vtkBitingTetrahedralizer: a hole that was closed (point)
   };
 
   ///@{

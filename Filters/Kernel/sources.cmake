@@ -190,6 +190,7 @@ set(biting_kernel_sources
   Space/Surface/SharedWalls.cxx
   Space/Surface/SurfaceCheck.cxx
   Space/Surface/SurfaceCrossings.cxx
+  Space/Surface/SurfaceHoles.cxx
   Space/Surface/SurfaceLinks.cxx
   Space/Surface/SurfaceRepair.cxx
   Space/Surface/SurfaceShells.cxx

@@ -381,6 +381,42 @@ TEST(BitingTetrahedralizer, FollowsASourceOfSpace)
   EXPECT_GT(Figure(filter->GetOutput(), "MeanConformity"), 0.75);
 }
 
+TEST(BitingTetrahedralizer, ClosesNarrowHolesWithAWarningAndTheirPlaces)
+{
+  auto holes = Sphere();
+  vtkNew<vtkBitingTetrahedralizer> filter;
+  filter->SetInputData(holes);
+  filter->SetUniformSpacing(0.2);
+  filter->Update();
+  const double whole = Figure(filter->GetOutput(), "Volume");
+  const std::vector<double> tags(static_cast<std::size_t>(holes->GetNumberOfCells()), 7.0);
+  AddArray<vtkIntArray>(holes->GetCellData(), "Tag", tags);
+  holes->BuildCells();
+  for (const vtkIdType cell : { 100, 1000, 1001, 3000 })
+  {
+    holes->DeleteCell(cell);
+  }
+  holes->RemoveDeletedCells();
+  const Messages messages(filter);
+  filter->SetInputData(holes);
+  filter->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  ASSERT_EQ(messages.Warnings.size(), 1u);
+  EXPECT_TRUE(Has(messages.Warnings.front(), "Holes and slits in the surface (3)"))
+    << messages.Warnings.front();
+  const std::vector<SeenProblem> problems = ReadProblems(filter->GetProblems());
+  ASSERT_EQ(problems.size(), 3u);
+  EXPECT_EQ(problems.front().Kind, vtkBitingTetrahedralizer::CLOSED_HOLES);
+  EXPECT_EQ(problems.front().IsError, 0);
+  EXPECT_NEAR(Figure(filter->GetOutput(), "Volume"), whole, 0.005 * whole);
+  EXPECT_EQ(Figure(filter->GetOutput(), "EulerNumber"), 2.0);
+  double range[2];
+  filter->GetBoundary()->GetCellData()->GetArray("Tag")->GetRange(range);
+  EXPECT_TRUE(range[0] == 7.0 && range[1] == 7.0);
+  filter->SetUniformSpacing(0.03);
+  EXPECT_TRUE(Has(ReasonOf(filter), "Open edges"));
+}
+
 TEST(BitingTetrahedralizer, RefusesWithAPlaceWhatItCannotFill)
 {
   vtkNew<vtkBitingTetrahedralizer> filter;

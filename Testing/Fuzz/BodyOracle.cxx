@@ -261,11 +261,12 @@ bool AreWithin(const std::vector<Value>& values, std::size_t size, Value low, Va
 /// Of f as given: f as used. Lines are divided into a whole number of pieces.
 constexpr double MostShare = 2.0;
 
-std::string JudgeArrays(const BitingSurface& mesh, const SurfaceCase& surface)
+std::string JudgeArrays(
+  const BitingSurface& mesh, const CheckedSurface& checked, const SurfaceCase& surface)
 {
   const std::size_t points = mesh.Points.size();
   const std::size_t triangles = mesh.Corners.size() / 3;
-  const Id cells = static_cast<Id>(surface.Input.Cells.size());
+  const Id cells = static_cast<Id>(checked.Mesh.NumberOfTriangles());
   const Id originals = static_cast<Id>(surface.Input.Points.size());
   const double most = MostShare * surface.LargestSize;
   const bool areWithin = AreWithin(mesh.Spacing, points, 1e-300, most) &&
@@ -294,8 +295,9 @@ std::string JudgeSurface(
   {
     return "volume " + std::to_string(volume) + " for " + std::to_string(figures.Volume);
   }
-  for (const std::string& wrong : { JudgeArrays(mesh, surface), JudgeTopology(mesh, checked.Mesh, isCut),
-         JudgeDistances(mesh, checked.Mesh, size, isCut) })
+  for (const std::string& wrong :
+    { JudgeArrays(mesh, checked, surface), JudgeTopology(mesh, checked.Mesh, isCut),
+      JudgeDistances(mesh, checked.Mesh, size, isCut) })
   {
     if (!wrong.empty())
     {
@@ -508,7 +510,9 @@ BodyOutcome RunSurfaceCase(const SurfaceCase& surface, bool isRepeated)
   using Stage = BodyOutcome::Stage;
   BodyOutcome outcome;
   ProblemList checks;
-  const CheckedSurface checked = CheckSurface(surface.Input, surface.Check, checks, NoMonitor());
+  SurfaceCheckOptions check = surface.Check;
+  check.Spacing = surface.IsToFill ? surface.Options.Surface.Spacing : SpacingField();
+  const CheckedSurface checked = CheckSurface(surface.Input, check, checks, NoMonitor());
   outcome.Refusal = TextOf(checks, outcome.Violation);
   outcome.IsClean = !checks.HasErrors() && checks.Groups().empty();
   const bool isThere = checked.Mesh.NumberOfTriangles() > 0; // more than rounding

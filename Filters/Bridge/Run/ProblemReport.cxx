@@ -114,6 +114,8 @@ constexpr std::array<Wording, NumberOfProblemKinds + 1> Wordings = { {
     "Choose a smaller spacing there, or a larger Feature Angle." },
   { "LostFeatures", "Features that the mesh cuts off or leaves out", "point", "",
     "They are too fine for the spacing." },
+  { "ClosedHoles", "Holes and slits in the surface", "from point", "",
+    "They were closed: they are narrower than a third of the spacing there." },
   { "Aborted", "Aborted", "", "", "" },
 } };
 

@@ -12,16 +12,18 @@ namespace biting
 {
 
 /// The place of the segment ab, whose ends may be equal, that is nearest to p.
-inline Point2 NearestOnSegment(const Point2& p, const Point2& a, const Point2& b)
+template <std::size_t D>
+Point<D> NearestOnSegment(const Point<D>& p, const Point<D>& a, const Point<D>& b)
 {
-  const Point2 side = b - a;
+  const Point<D> side = b - a;
   const double square = Dot(side, side);
   const double share = square > 0.0 ? std::clamp(Dot(p - a, side) / square, 0.0, 1.0) : 0.0;
   return a + share * side;
 }
 
 /// From p to that place.
-inline double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b)
+template <std::size_t D>
+double DistanceToSegment(const Point<D>& p, const Point<D>& a, const Point<D>& b)
 {
   return Distance(p, NearestOnSegment(p, a, b));
 }

@@ -79,6 +79,7 @@ enum class ProblemCode
   TooSharp, ///< faces at too small an angle for f (ids: cell)
   // Meshed, and told.
   LostFeatures, ///< lines or sharp edges that the mesh cuts off or leaves out (ids: point)
+  ClosedHoles,  ///< loops of open edges that are narrow for f: closed (ids: point)
   Aborted       ///< the monitor asked to stop; not an error
 };
 

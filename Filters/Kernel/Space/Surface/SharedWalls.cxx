@@ -3,7 +3,6 @@
 
 #include "SharedWalls.h"
 
-#include "../../Base/IdLists.h"
 #include "SurfaceLinks.h"
 
 #include <algorithm> // for all_of, lower_bound, sort, unique
@@ -87,14 +86,7 @@ private:
       this->Apart.Corners[slot] =
         this->NumberOf({ this->Mesh.Corners[slot], this->RegionOf(slot / 3) });
     }
-    this->SlotsAt = IdLists(this->Vertices.size(),
-      [this, slots](const auto& add)
-      {
-        for (std::size_t slot = 0; slot < slots; ++slot)
-        {
-          add(this->Apart.Corners[slot], static_cast<Id>(slot));
-        }
-      });
+    this->SlotsAt = CornersOfVertices(this->Apart);
     this->Links = LinkSurface(this->Apart, this->Beats);
     this->IsTouched.assign(this->Mesh.Points.size(), 0);
   }
@@ -124,13 +116,7 @@ private:
 
   bool HasEdge(Id from, Id to) const
   {
-    bool has = false;
-    for (const Id slot : this->SlotsAt[from])
-    {
-      has = has || this->Apart.Corners[NextSlotOf(At(slot))] == to ||
-        this->Apart.Corners[PreviousSlotOf(At(slot))] == to;
-    }
-    return has;
+    return biting::HasEdge(this->Apart, this->SlotsAt, from, to);
   }
 
   /// Whether the edge opposite the slot came to another region's surface.
@@ -322,7 +308,7 @@ private:
     this->Edges.reserve(slots);
     for (std::size_t slot = 0; slot < slots; ++slot)
     {
-      this->Edges.push_back({ this->EndsOf(slot), slot });
+      this->Edges.push_back({ EndsOf(this->Mesh, slot), slot });
     }
     std::sort(this->Edges.begin(), this->Edges.end());
     bool isChanged = false;
@@ -345,21 +331,14 @@ private:
     return isChanged;
   }
 
-  std::array<Id, 2> EndsOf(std::size_t slot) const
-  {
-    const Id a = this->Mesh.Corners[NextSlotOf(slot)];
-    const Id b = this->Mesh.Corners[PreviousSlotOf(slot)];
-    return { std::min(a, b), std::max(a, b) };
-  }
-
   bool DivideFold(std::size_t slot, std::size_t other)
   {
     const Id p = this->Mesh.Corners[slot];
     const Id q = this->Mesh.Corners[other];
-    const std::array<Id, 2> ends = this->EndsOf(slot);
+    const auto [low, high] = EndsOf(this->Mesh, slot);
     const auto isTouched = [this](Id vertex) { return this->IsTouched[At(vertex)] != 0; };
     if (this->RegionOf(slot / 3) == this->RegionOf(other / 3) || p == q || isTouched(p) ||
-      isTouched(q) || isTouched(ends[0]) || isTouched(ends[1]))
+      isTouched(q) || isTouched(low) || isTouched(high))
     {
       return false;
     }
@@ -372,8 +351,8 @@ private:
     };
     for (const bool isFirst : { true, false })
     {
-      const Id a = ends[isFirst ? 0 : 1];
-      const Id b = ends[isFirst ? 1 : 0];
+      const Id a = isFirst ? low : high;
+      const Id b = isFirst ? high : low;
       Point3 place;
       if (this->PassNear(a, p, b, q, Flat, place) && this->PassNear(b, q, a, p, Flat, place) &&
         !hasEdge(a, p, other) && !hasEdge(b, q, slot))
@@ -394,10 +373,10 @@ private:
   /// At the last vertex.
   void DivideEdge(Id a, Id b)
   {
-    const std::array<Id, 2> ends{ std::min(a, b), std::max(a, b) };
+    const std::pair<Id, Id> ends = std::minmax(a, b);
     const auto middle = static_cast<Id>(this->Mesh.Points.size() - 1);
     auto edge = std::lower_bound(
-      this->Edges.begin(), this->Edges.end(), std::pair<std::array<Id, 2>, std::size_t>(ends, 0));
+      this->Edges.begin(), this->Edges.end(), std::pair<std::pair<Id, Id>, std::size_t>(ends, 0));
     for (; edge != this->Edges.end() && edge->first == ends; ++edge)
     {
       const std::size_t added = this->Mesh.NumberOfTriangles();
@@ -417,7 +396,7 @@ private:
   SurfaceMesh& Mesh;
   ProblemList& Problems;
   Pulse& Beats;
-  std::vector<std::pair<std::array<Id, 2>, std::size_t>> Edges; ///< of all slots, in order
+  std::vector<std::pair<std::pair<Id, Id>, std::size_t>> Edges; ///< of all slots, in order
   std::vector<RegionVertex> Vertices;  ///< in order; what follows has their numbers
   SurfaceMesh Apart;                   ///< corners only
   SurfaceLinks Links;                  ///< of it

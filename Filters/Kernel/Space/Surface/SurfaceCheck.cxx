@@ -11,7 +11,6 @@
 
 #include <cmath>   // for cos
 #include <limits>  // for NaN
-#include <sstream> // for figures
 #include <utility> // for move
 
 namespace biting
@@ -19,13 +18,6 @@ namespace biting
 
 namespace
 {
-
-std::string Text(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
 
 // One check: each step may rely on the ones before.
 class SurfaceChecker
@@ -89,9 +81,15 @@ void SurfaceChecker::Run(Monitor& monitor)
 
 void SurfaceChecker::Weld()
 {
+  const auto reach = [this](const Point3& place)
+  { return ClearShare * this->Options.Spacing(place); };
   std::size_t welded = WeldEqualPoints(this->Mesh, this->Beats);
   welded += WeldBorders(this->Mesh, this->Options.Rounding, this->Beats);
   this->Result.Figures.WeldedPoints = static_cast<std::int64_t>(welded);
+  if (this->Options.Spacing)
+  {
+    WeldSlits(this->Mesh, reach, this->Problems, this->Beats);
+  }
   if (!this->Mesh.Regions.empty())
   {
     JoinSharedWalls(this->Mesh, this->Problems, this->Beats);
@@ -99,17 +97,17 @@ void SurfaceChecker::Weld()
   RemoveDuplicates(this->Mesh, this->Problems, this->Beats);
   this->Links = LinkSurface(this->Mesh, this->Beats);
   RemoveFlatTriangles(this->Mesh, this->Links, this->Problems, this->Beats);
+  if (this->Options.Spacing)
+  {
+    CloseHoles(this->Mesh, this->Links, reach, this->Problems, this->Beats);
+  }
 }
 
 void SurfaceChecker::TellBorders()
 {
   for (const BorderChain& chain : BorderChains(this->Mesh, this->Links, this->Beats))
   {
-    const auto first = static_cast<std::size_t>(chain.Vertices.front());
-    this->Problems.Add(
-      { ProblemCode::OpenEdges, { this->Mesh.PointIds[first] }, this->Mesh.Points[first],
-        (chain.IsLoop ? "a loop of " : "a chain of ") + std::to_string(chain.Slots.size()) +
-          " edges, length " + Text(chain.Length) + ", area " + Text(chain.Area) });
+    this->Problems.Add(BorderProblem(ProblemCode::OpenEdges, this->Mesh, chain));
   }
 }
 
@@ -144,7 +142,7 @@ void SurfaceChecker::TellContacts(const BoxTree<SurfaceItem, 3>& tree)
     this->Problems.Add({ code,
       { this->CellOf(static_cast<std::size_t>(contact.First)),
         this->CellOf(static_cast<std::size_t>(contact.Second)) },
-      contact.Place, what + Text(contact.Depth) });
+      contact.Place, what + Figure(contact.Depth, 6) });
   };
   for (const SurfaceContact& fold :
     FindFolds(this->Mesh, this->Links, this->Options.Noise, this->Beats))

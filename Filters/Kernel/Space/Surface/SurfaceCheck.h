@@ -6,6 +6,7 @@
 
 #include "../../Base/Monitor.h"
 #include "../../Base/Problem.h"
+#include "SurfaceHoles.h"
 #include "SurfaceShells.h"
 #include "SurfaceThickness.h"
 
@@ -14,8 +15,9 @@
 
 // What is wrong with a surface, and where; and the surface as other rooms of space take it: welded,
 // without flat and duplicate triangles, oriented by nesting. Open, crossing and non-manifold
-// surfaces stay what they are. Topology is decided by exact signs; the one tolerance is the
-// rounding of the coordinates. The result does not depend on the number of threads.
+// surfaces stay what they are, but for holes that are to be closed (SurfaceHoles.h). Topology is
+// decided by exact signs; the one tolerance is the rounding of the coordinates. The result does not
+// depend on the number of threads.
 
 namespace biting
 {
@@ -25,6 +27,7 @@ struct SurfaceCheckOptions
   Point3 Rounding;            ///< along each axis: vertices of open edges that near are one
   double Noise = 0.0;         ///< contacts that are not deeper only touch
   double FeatureAngle = 40.0; ///< degrees by which the surface turns at a feature
+  SpacingField Spacing;       ///< f: holes and slits that are narrow for it are closed; empty: none
 };
 
 enum class SurfaceEdgeKind : std::uint8_t

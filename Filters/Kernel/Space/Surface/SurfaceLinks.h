@@ -4,10 +4,13 @@
 #ifndef BitingSurfaceLinks_h
 #define BitingSurfaceLinks_h
 
+#include "../../Base/IdLists.h"
 #include "../../Base/Pulse.h"
 #include "SurfaceMesh.h"
 
-#include <vector> // for the arrays
+#include <algorithm> // for minmax
+#include <utility>   // for pairs
+#include <vector>    // for the arrays
 
 namespace biting
 {
@@ -31,6 +34,18 @@ struct SurfaceLinks
 
 /// Cost O(n) where no vertex has many edges. Without meaning where the monitor wants to stop.
 SurfaceLinks LinkSurface(const SurfaceMesh& mesh, Pulse& pulse);
+
+/// The slots of each vertex, as a corner of triangles.
+IdLists CornersOfVertices(const SurfaceMesh& mesh);
+
+/// Whether the vertices have an edge, by these slots.
+bool HasEdge(const SurfaceMesh& mesh, const IdLists& slotsAt, Id one, Id other);
+
+/// Both vertices of the edge of `slot`, the lower one first.
+inline std::pair<Id, Id> EndsOf(const SurfaceMesh& mesh, std::size_t slot)
+{
+  return std::minmax({ mesh.Corners[NextSlotOf(slot)], mesh.Corners[PreviousSlotOf(slot)] });
+}
 
 /// Whether the triangles at both sides of the edge of `slot` are oriented alike: they run through
 /// it in opposite directions. Precondition: two triangles have it.
@@ -73,7 +88,8 @@ struct BorderChain
   double Area = 0.0; ///< of the fan of triangles about the mean of the vertices
 };
 
-/// All open edges, each once; chains in the order of their first slots.
+/// All open edges, each once; chains before loops. Where several fans meet a border goes on along
+/// the open edge of another fan at the smallest angle, across the gap; no loop meets itself.
 std::vector<BorderChain> BorderChains(
   const SurfaceMesh& mesh, const SurfaceLinks& links, Pulse& pulse);
 

@@ -79,12 +79,13 @@ struct SurfaceMesh
     return (1.0 / 3.0) * (this->At(3 * t) + this->At(3 * t + 1) + this->At(3 * t + 2));
   }
 
+  /// Of the triangles.
   Box3 Bounds() const
   {
     Box3 box;
-    for (const Point3& point : this->Points)
+    for (const Id corner : this->Corners)
     {
-      box.Add(point);
+      box.Add(this->Points[static_cast<std::size_t>(corner)]);
     }
     return box;
   }

@@ -4,10 +4,10 @@
 #include "SurfaceRepair.h"
 
 #include "../../Predicates/Predicates.h"
-#include "PlaceTable.h"
 
-#include <algorithm> // for sort
+#include <algorithm> // for fill_n, find_if, is_permutation, max, min_element
 #include <cstdint>   // for marks
+#include <numeric>   // for iota
 
 namespace biting
 {
@@ -58,47 +58,51 @@ bool IsFlat(const std::array<Point3, 3>& p)
 class FlatFlips
 {
 public:
-  FlatFlips(SurfaceMesh& mesh, SurfaceLinks& links)
+  // `flat`: the triangles that are to go.
+  FlatFlips(SurfaceMesh& mesh, SurfaceLinks& links, const std::vector<std::size_t>& flat)
     : Mesh(mesh)
     , Links(links)
+    , Flat(flat)
+    , IsFlat(mesh.NumberOfTriangles(), 0)
     , IsGone(mesh.NumberOfTriangles(), 0)
   {
+    for (const std::size_t t : flat)
+    {
+      this->IsFlat[t] = 1;
+    }
   }
 
-  // Whether the flat triangle t went, or has shorter sides now.
-  bool Improve(std::size_t t);
+  void Run(Pulse& pulse)
+  {
+    bool isChanged = true;
+    while (isChanged && pulse.Ask())
+    {
+      isChanged = false;
+      for (const std::size_t t : this->Flat)
+      {
+        isChanged = (this->IsLeft(t) && this->Improve(t)) || isChanged;
+      }
+    }
+  }
+
+  bool IsLeft(std::size_t t) const { return this->IsFlat[t] != 0 && this->IsGone[t] == 0; }
 
   const std::vector<std::uint8_t>& Gone() const { return this->IsGone; }
 
 private:
-  std::size_t MiddleSlot(std::size_t t) const;
-  bool IsBetween(std::size_t slot, std::size_t from, std::size_t to) const;
+  bool Improve(std::size_t t);
+  void Leave(std::size_t middle);
+  bool KeepsSides(std::size_t middle, std::size_t across) const;
   bool HasEdge(std::size_t corner, Id vertex) const;
   void Flip(std::size_t middle, std::size_t across);
   void Join(std::size_t slot, Id other);
 
   SurfaceMesh& Mesh;
   SurfaceLinks& Links;
+  const std::vector<std::size_t>& Flat;
+  std::vector<std::uint8_t> IsFlat; ///< of triangles: it is still one of those
   std::vector<std::uint8_t> IsGone;
 };
-
-bool FlatFlips::IsBetween(std::size_t slot, std::size_t from, std::size_t to) const
-{
-  const Point3& b = this->Mesh.At(slot);
-  const Point3& a = this->Mesh.At(from);
-  const Point3& c = this->Mesh.At(to);
-  return (a < b && b < c) || (c < b && b < a); // along a line the lexicographic order is the line's
-}
-
-std::size_t FlatFlips::MiddleSlot(std::size_t t) const
-{
-  std::size_t slot = 3 * t;
-  while (slot < 3 * t + 2 && !this->IsBetween(slot, NextSlotOf(slot), PreviousSlotOf(slot)))
-  {
-    ++slot;
-  }
-  return slot;
-}
 
 // Whether the fan of the vertex at `corner` has an edge to the other vertex.
 bool FlatFlips::HasEdge(std::size_t corner, Id vertex) const
@@ -118,35 +122,63 @@ bool FlatFlips::HasEdge(std::size_t corner, Id vertex) const
   return has;
 }
 
+// Whether the triangle went, or is no longer flat, or has shorter sides now.
 bool FlatFlips::Improve(std::size_t t)
 {
-  const std::size_t middle = this->MiddleSlot(t);
+  constexpr double Thin = 0.1; // the height at most, of the longest side
+  std::size_t middle = 3 * t;
+  double longest = 0.0;
+  for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
+  {
+    const double length =
+      Distance(this->Mesh.At(NextSlotOf(slot)), this->Mesh.At(PreviousSlotOf(slot)));
+    middle = length > longest ? slot : middle;
+    longest = std::max(length, longest);
+  }
   const Id across = this->Links.Across[middle];
+  if (across == CrowdedEdge || Length(this->Mesh.Normal(t)) >= Thin * longest * longest)
+  {
+    return false;
+  }
   if (across == OpenEdge)
   {
-    this->IsGone[t] = 1;
-    for (const std::size_t slot : { NextSlotOf(middle), PreviousSlotOf(middle) })
-    {
-      if (this->Links.Across[slot] >= 0)
-      {
-        this->Links.Across[static_cast<std::size_t>(this->Links.Across[slot])] = OpenEdge;
-      }
-    }
+    this->Leave(middle);
     return true;
   }
-  if (across == CrowdedEdge)
+  const bool isFlat = this->IsFlat[At(across) / 3] != 0;
+  const bool isBetter = isFlat
+    ? Distance(this->Mesh.At(middle), this->Mesh.At(At(across))) < longest
+    : this->KeepsSides(middle, At(across));
+  if (!isBetter || this->HasEdge(middle, this->Mesh.Corners[At(across)]))
   {
     return false;
   }
-  const auto apex = static_cast<std::size_t>(across);
-  const bool isFlat = IsFlat(this->Mesh.Triangle(apex / 3));
-  const bool isLower = !isFlat || this->IsBetween(apex, NextSlotOf(apex), PreviousSlotOf(apex));
-  if (!isLower || this->HasEdge(middle, this->Mesh.Corners[apex]))
-  {
-    return false;
-  }
-  this->Flip(middle, apex);
+  this->Flip(middle, At(across));
+  this->IsFlat[t] = isFlat ? 1 : 0;
   return true;
+}
+
+// Whether the halves of the triangle of `across` look as it does.
+bool FlatFlips::KeepsSides(std::size_t middle, std::size_t across) const
+{
+  const Point3 normal = this->Mesh.Normal(across / 3);
+  const Point3 way = this->Mesh.At(across) - this->Mesh.At(middle);
+  const Point3 next = this->Mesh.At(NextSlotOf(across)) - this->Mesh.At(middle);
+  const Point3 previous = this->Mesh.At(PreviousSlotOf(across)) - this->Mesh.At(middle);
+  return Dot(Cross(next, way), normal) <= 0.0 && Dot(Cross(previous, way), normal) >= 0.0;
+}
+
+// The triangle goes; its side opposite `middle` is open.
+void FlatFlips::Leave(std::size_t middle)
+{
+  this->IsGone[middle / 3] = 1;
+  for (const std::size_t slot : { NextSlotOf(middle), PreviousSlotOf(middle) })
+  {
+    if (this->Links.Across[slot] >= 0)
+    {
+      this->Links.Across[At(this->Links.Across[slot])] = OpenEdge;
+    }
+  }
 }
 
 // Both triangles take over the corners of that across, one in each half.
@@ -189,22 +221,28 @@ void FlatFlips::Join(std::size_t slot, Id other)
 void RemoveDuplicates(SurfaceMesh& mesh, ProblemList& problems, Pulse& pulse)
 {
   std::vector<std::uint8_t> isGone(mesh.NumberOfTriangles(), 0);
-  PlaceTable table(isGone.size());
+  const IdLists slotsAt = CornersOfVertices(mesh);
   pulse.ForEach(isGone.size(),
-    [&mesh, &problems, &isGone, &table](std::size_t t)
+    [&mesh, &problems, &isGone, &slotsAt](std::size_t t)
     {
-      PlaceTable::Key key{ mesh.Corners[3 * t], mesh.Corners[3 * t + 1], mesh.Corners[3 * t + 2] };
-      std::sort(key.begin(), key.end());
-      const Id first = table.Find(key, [](Id) { return true; });
-      if (first == NoId)
+      const Id* const corners = &mesh.Corners[3 * t];
+      const Id fewest = *std::min_element(corners, corners + 3,
+        [&slotsAt](Id a, Id b) { return slotsAt[a].Size() < slotsAt[b].Size(); });
+      const IdLists::List slots = slotsAt[fewest];
+      const Id first = *std::find_if(slots.begin(), slots.end(),
+                         [&mesh, corners](Id slot)
+                         {
+                           const Id* const others = &mesh.Corners[At(slot - slot % 3)];
+                           return std::is_permutation(corners, corners + 3, others);
+                         }) /
+        3;
+      if (At(first) < t)
       {
-        table.Add(key, static_cast<Id>(t));
-        return;
+        isGone[t] = 1;
+        AddRegion(mesh, t, At(first));
+        problems.Add({ ProblemCode::DuplicateTriangles, { mesh.Cells[t], mesh.Cells[At(first)] },
+          mesh.Middle(t), "" });
       }
-      isGone[t] = 1;
-      AddRegion(mesh, t, At(first));
-      problems.Add({ ProblemCode::DuplicateTriangles, { mesh.Cells[t], mesh.Cells[At(first)] },
-        mesh.Middle(t), "" });
     });
   if (problems.Has(ProblemCode::DuplicateTriangles))
   {
@@ -234,24 +272,22 @@ void RemoveFlatTriangles(
   {
     told.push_back({ ProblemCode::FlatTriangles, { mesh.Cells[t] }, mesh.Middle(t), "" });
   }
-  FlatFlips flips(mesh, links);
-  bool isChanged = true;
-  while (isChanged && pulse.Ask())
-  {
-    isChanged = false;
-    for (const std::size_t t : flat)
-    {
-      const bool isLeft = flips.Gone()[t] == 0 && IsFlat(mesh.Triangle(t));
-      isChanged = (isLeft && flips.Improve(t)) || isChanged;
-    }
-  }
+  FlatFlips flips(mesh, links, flat);
+  flips.Run(pulse);
   for (std::size_t k = 0; k < flat.size(); ++k)
   {
-    const bool isLeft = flips.Gone()[flat[k]] == 0 && IsFlat(mesh.Triangle(flat[k]));
-    told[k].Detail = isLeft ? "it stays: no edge flip removes it" : "";
+    told[k].Detail = flips.IsLeft(flat[k]) ? "it stays: no edge flip removes it" : "";
     problems.Add(told[k]);
   }
   Remove(mesh, flips.Gone());
+  links = LinkSurface(mesh, pulse);
+}
+
+void FlipThinTriangles(SurfaceMesh& mesh, SurfaceLinks& links, std::size_t first, Pulse& pulse)
+{
+  std::vector<std::size_t> thin(mesh.NumberOfTriangles() - first);
+  std::iota(thin.begin(), thin.end(), first);
+  FlatFlips(mesh, links, thin).Run(pulse);
   links = LinkSurface(mesh, pulse);
 }
 

@@ -3,12 +3,16 @@
 
 #include "SurfaceWelding.h"
 
-#include "PlaceTable.h"
+#include "../../Base/Numbers.h"
+#include "../../Base/SortInSteps.h"
 #include "SurfaceLinks.h"
 
-#include <cmath>   // for abs, floor
-#include <cstring> // for the bits of numbers
-#include <utility> // for swap
+#include <algorithm>  // for min
+#include <cmath>      // for abs
+#include <functional> // for less
+#include <limits>     // for the least number
+#include <numeric>    // for iota
+#include <utility>    // for pairs
 
 namespace biting
 {
@@ -16,32 +20,9 @@ namespace biting
 namespace
 {
 
-PlaceTable::Key BitsOf(const Point3& place)
-{
-  const Point3 positive = place + Point3(); // -0 becomes 0
-  PlaceTable::Key key;
-  std::memcpy(key.data(), positive.Data(), sizeof key);
-  return key;
-}
-
-// The cell of a grid that a place is in, or, with the side -1 or 1, the one that holds what is
-// within the rounding at that side: cells are twice as wide, and a quarter is for rounding here.
-std::int64_t CellOf(double value, double rounding, double side)
-{
-  return rounding > 0.0
-    ? static_cast<std::int64_t>(std::floor(0.5 * (value / rounding + 1.25 * side)))
-    : 0;
-}
-
-bool AreNear(const Point3& a, const Point3& b, const Point3& rounding)
-{
-  return std::abs(a.X - b.X) <= rounding.X && std::abs(a.Y - b.Y) <= rounding.Y &&
-    std::abs(a.Z - b.Z) <= rounding.Z;
-}
-
 // Gives vertices the numbers of those that they become, `kept`, a lower number or their own; keeps
 // those in use, and the triangles that have three corners.
-void Renumber(SurfaceMesh& mesh, const std::vector<Id>& kept)
+void MergeVertices(SurfaceMesh& mesh, const std::vector<Id>& kept)
 {
   std::vector<Id> numbers(mesh.Points.size(), NoId);
   std::size_t triangles = 0;
@@ -82,99 +63,156 @@ void Renumber(SurfaceMesh& mesh, const std::vector<Id>& kept)
   }
 }
 
-std::vector<Id> FromZeroTo(std::size_t count)
+// Of each vertex on open edges the least reachOf(vertex, shortest side) of its triangles; of others
+// 0. Empty where no edge is open.
+template <typename Reach>
+std::vector<double> ReachesOnBorders(const SurfaceMesh& mesh, const Reach& reachOf, Pulse& pulse)
 {
-  std::vector<Id> numbers(count);
-  for (std::size_t k = 0; k < count; ++k)
+  const SurfaceLinks links = LinkSurface(mesh, pulse);
+  std::vector<double> reaches(links.NumberOfOpen > 0 ? mesh.Points.size() : 0, 0.0);
+  for (std::size_t slot = 0; slot < mesh.Corners.size() && !reaches.empty(); ++slot)
   {
-    numbers[k] = static_cast<Id>(k);
+    if (links.Across[slot] == OpenEdge)
+    {
+      reaches[At(mesh.Corners[NextSlotOf(slot)])] = Infinity;
+      reaches[At(mesh.Corners[PreviousSlotOf(slot)])] = Infinity;
+    }
   }
-  return numbers;
+  for (std::size_t slot = 0; slot < mesh.Corners.size() && !reaches.empty(); ++slot)
+  {
+    const std::array<Point3, 3> corners = mesh.Triangle(slot / 3);
+    const double shortest = std::min({ Distance(corners[0], corners[1]),
+      Distance(corners[1], corners[2]), Distance(corners[2], corners[0]) });
+    double& reach = reaches[At(mesh.Corners[slot])];
+    reach = reach > 0.0 ? std::min(reach, reachOf(At(mesh.Corners[slot]), shortest)) : 0.0;
+  }
+  return reaches;
+}
+
+// Makes one of vertices of which areNear(vertex, other), no farther apart than the reach of either;
+// those without one stay. The first stays where it is, and no two that stay are near.
+// Calls tell(vertex, the one that it becomes).
+template <typename Question, typename Tell>
+void WeldNear(SurfaceMesh& mesh, const std::vector<double>& reaches, const Question& areNear,
+  const Tell& tell, Pulse& pulse)
+{
+  const Point3 sweep{ 0.8, 0.5123, 0.3117 }; // shorter than 1; few points lie across it
+  if (reaches.empty())
+  {
+    return;
+  }
+  std::vector<std::pair<double, Id>> order;
+  for (std::size_t point = 0; point < reaches.size(); ++point)
+  {
+    if (reaches[point] > 0.0)
+    {
+      order.emplace_back(Dot(sweep, mesh.Points[point]), static_cast<Id>(point));
+    }
+  }
+  SortInSteps(order, std::less<>(), pulse);
+  std::vector<std::size_t> ranks(reaches.size(), 0);
+  for (std::size_t rank = 0; rank < order.size(); ++rank)
+  {
+    ranks[At(order[rank].second)] = rank;
+  }
+  std::vector<Id> kept(mesh.Points.size());
+  std::iota(kept.begin(), kept.end(), 0);
+  for (std::size_t point = 0; point < reaches.size() && pulse.Beat(); ++point)
+  {
+    const auto look = [&](std::size_t rank)
+    {
+      const Id other = order[rank].second;
+      const bool isKept = other < kept[point] && kept[At(other)] == other;
+      kept[point] = isKept && areNear(point, At(other)) ? other : kept[point];
+      return std::abs(order[rank].first - order[ranks[point]].first) <= reaches[point] &&
+        pulse.Beat(1);
+    };
+    const bool isAsked = reaches[point] > 0.0;
+    for (std::size_t rank = ranks[point]; isAsked && rank-- > 0 && look(rank);)
+    {
+    }
+    for (std::size_t rank = ranks[point]; isAsked && ++rank < order.size() && look(rank);)
+    {
+    }
+    if (At(kept[point]) != point)
+    {
+      tell(point, At(kept[point]));
+    }
+  }
+  MergeVertices(mesh, kept);
 }
 
 } // namespace
 
 std::size_t WeldEqualPoints(SurfaceMesh& mesh, Pulse& pulse)
 {
-  std::vector<Id> kept(mesh.Points.size(), NoId);
+  std::size_t welded = 0;
+  std::vector<double> reaches(mesh.Points.size(), 0.0);
   for (const Id corner : mesh.Corners)
   {
-    kept[static_cast<std::size_t>(corner)] = corner;
+    reaches[At(corner)] = std::numeric_limits<double>::min();
   }
-  std::size_t welded = 0;
-  PlaceTable table(mesh.Points.size());
-  pulse.ForEach(mesh.Points.size(),
-    [&mesh, &kept, &table, &welded](std::size_t point)
-    {
-      if (kept[point] == NoId)
-      {
-        return;
-      }
-      const PlaceTable::Key key = BitsOf(mesh.Points[point]);
-      const Id first = table.Find(key, [](Id) { return true; });
-      if (first != NoId)
-      {
-        kept[point] = first;
-        ++welded;
-      }
-      else
-      {
-        table.Add(key, static_cast<Id>(point));
-      }
-    });
-  Renumber(mesh, kept);
+  WeldNear(
+    mesh, reaches,
+    [&mesh](std::size_t a, std::size_t b) { return mesh.Points[a] == mesh.Points[b]; },
+    [&welded](std::size_t, std::size_t) { ++welded; }, pulse);
   return welded;
 }
 
 std::size_t WeldBorders(SurfaceMesh& mesh, const Point3& rounding, Pulse& pulse)
 {
-  const SurfaceLinks links = LinkSurface(mesh, pulse);
-  std::vector<std::uint8_t> isOpen(mesh.Points.size(), 0);
-  for (std::size_t slot = 0; slot < mesh.Corners.size() && links.NumberOfOpen > 0; ++slot)
-  {
-    for (const std::size_t end : { NextSlotOf(slot), PreviousSlotOf(slot) })
-    {
-      isOpen[static_cast<std::size_t>(mesh.Corners[end])] |= links.Across[slot] == OpenEdge;
-    }
-  }
   std::size_t welded = 0;
-  std::vector<Id> kept = FromZeroTo(mesh.Points.size());
-  PlaceTable table(links.NumberOfOpen > 0 ? mesh.Points.size() : 0);
-  pulse.ForEach(links.NumberOfOpen > 0 ? mesh.Points.size() : 0,
-    [&](std::size_t point)
+  const double reach = rounding.X + rounding.Y + rounding.Z;
+  WeldNear(
+    mesh,
+    ReachesOnBorders(
+      mesh, [reach](std::size_t, double) { return reach; }, pulse),
+    [&mesh, &rounding](std::size_t a, std::size_t b)
     {
-      if (!isOpen[point])
-      {
-        return;
-      }
-      const Point3& place = mesh.Points[point];
-      const auto keyAt = [&place, &rounding](double x, double y, double z)
-      {
-        return PlaceTable::Key{ CellOf(place.X, rounding.X, x), CellOf(place.Y, rounding.Y, y),
-          CellOf(place.Z, rounding.Z, z) };
-      };
-      const auto isNear = [&mesh, &place, &rounding](Id other)
-      { return AreNear(place, mesh.Points[static_cast<std::size_t>(other)], rounding); };
-      Id found = NoId;
-      for (int side = 0; side < 27 && found == NoId; ++side)
-      {
-        found = table.Find(keyAt(side % 3 - 1, side / 3 % 3 - 1, side / 9 - 1), isNear);
-      }
-      if (found != NoId)
-      {
-        kept[point] = found;
-        ++welded;
-      }
-      else
-      {
-        table.Add(keyAt(0.0, 0.0, 0.0), static_cast<Id>(point));
-      }
-    });
-  if (welded > 0)
-  {
-    Renumber(mesh, kept);
-  }
+      const Point3 apart = mesh.Points[a] - mesh.Points[b];
+      return std::abs(apart.X) <= rounding.X && std::abs(apart.Y) <= rounding.Y &&
+        std::abs(apart.Z) <= rounding.Z;
+    },
+    [&welded](std::size_t, std::size_t) { ++welded; }, pulse);
   return welded;
+}
+
+void WeldSlits(SurfaceMesh& mesh, const SpacingField& reach, ProblemList& problems, Pulse& pulse)
+{
+  constexpr double ShareOfSides = 0.1;
+  std::vector<double> reaches;
+  bool isChanged = true;
+  // From the nearest on: vertices that are one know all their triangles, and the sides of these.
+  for (double share = 1e-7; share < 2.0; share *= 10.0)
+  {
+    if (isChanged)
+    {
+      reaches = ReachesOnBorders(
+        mesh,
+        [&mesh, &reach](std::size_t vertex, double side)
+        { return std::min(ShareOfSides * side, reach(mesh.Points[vertex])); },
+        pulse);
+    }
+    std::vector<double> shares(reaches.size(), 0.0);
+    for (std::size_t vertex = 0; vertex < reaches.size(); ++vertex)
+    {
+      shares[vertex] =
+        reaches[vertex] > 0.0 ? std::min(reaches[vertex], share * reach(mesh.Points[vertex])) : 0.0;
+    }
+    isChanged = false;
+    WeldNear(
+      mesh, shares,
+      [&mesh, &shares](std::size_t a, std::size_t b)
+      { return Distance(mesh.Points[a], mesh.Points[b]) < std::min(shares[a], shares[b]); },
+      [&mesh, &problems, &isChanged](std::size_t from, std::size_t to)
+      {
+        problems.Add(
+          { ProblemCode::NearPoints, { mesh.PointIds[from], mesh.PointIds[to] }, mesh.Points[from],
+            "on open edges, " + Figure(Distance(mesh.Points[from], mesh.Points[to])) + " apart" });
+        isChanged = true;
+      },
+      pulse);
+  }
 }
 
 } // namespace biting

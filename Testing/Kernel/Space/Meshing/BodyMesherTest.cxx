@@ -67,11 +67,13 @@ struct MeshedBody
   }
 };
 
+/// Holes that are narrow for the size are closed.
 MeshedBody MakeBody(const ValuedSoup& soup, double size, Monitor& monitor = NoMonitor(),
   BodyMesherOptions options = {})
 {
-  const CheckedSurface surface = Judge(soup.Shape).Surface;
   options.Surface.Spacing = [size](const Point3&) { return size; };
+  const CheckedSurface surface =
+    Judge(soup.Shape, 1e-12, NoMonitor(), options.Surface.Spacing).Surface;
   for (const Id cell : surface.Mesh.Cells)
   {
     if (!soup.Values.empty())
@@ -269,6 +271,49 @@ TEST(BodyMesher, RefusesWhatCannotBeWithAReason)
   near.AddBox({ 0.0, 0.0, 1.0001 }, { 1.0, 1.0, 2.0 });
   EXPECT_TRUE(refuses(Plain(near), 0.5, ProblemCode::TooThin));
   EXPECT_TRUE(MakeBody({}, 0.1).Problems.Groups().empty());
+}
+
+TEST(BodyMesher, FillsABodyWithSmallHolesAsTheWholeOne)
+{
+  const double whole = MakeBody(Plain(Sphere(1.0, 40)), 0.25).Volumes()[0];
+  Dice dice(5);
+  for (int round = 0; round < 4; ++round)
+  {
+    Soup soup = Sphere(1.0, 40);
+    for (int k = 0; k < 40; ++k)
+    {
+      soup.Remove(static_cast<std::size_t>(dice.Below(3120 - k)));
+    }
+    const MeshedBody meshed = MakeBody(Plain(soup), 0.25);
+    ExpectSound(meshed);
+    ASSERT_EQ(meshed.Volumes().size(), 1u);
+    EXPECT_NEAR(meshed.Volumes().at(0), whole, 0.005 * whole);
+  }
+}
+
+TEST(BodyMesher, FillsABodyWhoseSidesDoNotMatchAtCracks)
+{
+  ValuedSoup soup;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    soup.Shape.AddSide(
+      { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, axis, false, 2 + static_cast<int>(axis));
+    soup.Shape.AddSide(
+      { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, axis, true, 7 + static_cast<int>(axis));
+  }
+  for (const double off : { 0.0, 1e-6, 1e-3 })
+  {
+    ValuedSoup moved = soup;
+    Dice dice(9);
+    for (Point3& point : moved.Shape.Mesh.Points)
+    {
+      point = point + off * Point3{ dice.Unit(), dice.Unit(), dice.Unit() };
+    }
+    const MeshedBody meshed = MakeBody(moved, 0.2);
+    ExpectSound(meshed);
+    EXPECT_NEAR(meshed.Volumes()[0], 1.0, 6.0 * off + 1e-12) << off;
+    EXPECT_EQ(meshed.Problems.Groups().size(), 0u) << off;
+  }
 }
 
 /// Two tetrahedra on the two sides of a plane share an edge; their bases in the plane overlap.

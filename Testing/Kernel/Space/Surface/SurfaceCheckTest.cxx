@@ -257,6 +257,143 @@ TEST(SurfaceCheck, WeldsOpenEdgesByRoundingAndNothingElse)
     Sphere(1.0, 40).Mesh.NumberOfTriangles());
 }
 
+TEST(SurfaceCheck, ClosesHolesThatAreNarrowForTheSpacingAndTellsThem)
+{
+  Dice dice(11);
+  const SurfaceFigures whole = Judge(Sphere(1.0, 16)).Figures();
+  for (int round = 0; round < 20; ++round)
+  {
+    Soup soup = Sphere(1.0, 16);
+    for (int k = 0; k < 20; ++k)
+    {
+      soup.Remove(static_cast<std::size_t>(dice.Below(480 - k)));
+    }
+    const Verdict verdict = JudgeClosed(soup, 2.0);
+    EXPECT_GT(verdict.Count(ProblemCode::ClosedHoles), 5);
+    EXPECT_FALSE(verdict.Problems.HasErrors());
+    EXPECT_EQ(verdict.Count(ProblemCode::InconsistentEdges), 0);
+    EXPECT_EQ(verdict.Figures().EulerNumber, 2);
+    EXPECT_NEAR(verdict.Figures().Volume, whole.Volume, 0.02 * whole.Volume);
+    EXPECT_GT(JudgeClosed(soup, 0.05).Count(ProblemCode::OpenEdges), 5);
+    EXPECT_EQ(JudgeClosed(soup, 0.05).Count(ProblemCode::ClosedHoles), 0);
+  }
+}
+
+TEST(SurfaceCheck, LeavesACupAndATerrainOpenAtAnySpacingBelowTheirSizes)
+{
+  Soup cup;
+  Soup terrain;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    cup.AddSide({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, axis, false, 40);
+  }
+  cup.AddSide({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, 0, true, 40);
+  cup.AddSide({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, 1, true, 40);
+  terrain.AddSide({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, 2, true, 40);
+  for (const Soup& soup : { cup, terrain })
+  {
+    const Verdict verdict = JudgeClosed(soup, 1.0);
+    ASSERT_EQ(verdict.Count(ProblemCode::OpenEdges), 1);
+    EXPECT_EQ(verdict.Problems.Groups().front().First.front().Detail,
+      "a loop of 160 edges, length 4, area 1");
+    EXPECT_EQ(verdict.Count(ProblemCode::ClosedHoles), 0);
+  }
+}
+
+TEST(SurfaceCheck, DividesEdgesAtTheVerticesOfCracks)
+{
+  for (const double off : { 0.0, 1e-9, 1e-6, 1e-3 })
+  {
+    Soup soup;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      soup.AddSide({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, axis, false, static_cast<int>(axis) + 3);
+      soup.AddSide({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, axis, true, static_cast<int>(axis) + 6);
+    }
+    Dice dice(3);
+    for (Point3& point : soup.Mesh.Points)
+    {
+      point = point + off * Point3{ dice.Unit(), dice.Unit(), dice.Unit() };
+    }
+    EXPECT_GT(Judge(soup).Count(ProblemCode::OpenEdges), 5);
+    const Verdict verdict = JudgeClosed(soup, 0.1);
+    EXPECT_FALSE(verdict.Problems.HasErrors()) << off;
+    EXPECT_GT(verdict.Count(ProblemCode::ClosedHoles), 5) << off;
+    EXPECT_EQ(verdict.Figures().EulerNumber, 2) << off;
+    EXPECT_NEAR(verdict.Figures().Volume, 1.0, 6.0 * off + 1e-12) << off;
+    EXPECT_NEAR(verdict.Figures().Area, 6.0, 24.0 * off + 1e-12) << off;
+  }
+}
+
+TEST(SurfaceCheck, WeldsTrianglesThatAreApartAndNoShortSides)
+{
+  Soup soup;
+  soup.AddBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 0.004 });
+  Dice dice(3);
+  for (Point3& point : soup.Mesh.Points)
+  {
+    point = point + 1e-5 * Point3{ dice.Unit(), dice.Unit(), dice.Unit() };
+  }
+  const Verdict verdict = JudgeClosed(soup, 0.1);
+  EXPECT_FALSE(verdict.Problems.HasErrors());
+  EXPECT_EQ(verdict.Count(ProblemCode::NearPoints), 28);
+  EXPECT_EQ(verdict.Surface.Mesh.Points.size(), 8u);
+  EXPECT_EQ(verdict.Figures().EulerNumber, 2);
+}
+
+TEST(SurfaceCheck, ClosesSlitsBetweenLoopsOfDifferentVertices)
+{
+  for (const double turn : { 0.0, 0.1 }) // a common vertex, or none
+  {
+    Soup soup;
+    const auto at = [](int k, int n, double from, double height)
+    {
+      const double angle = from + 2.0 * Pi * (k % n) / n;
+      return Point3{ std::cos(angle), std::sin(angle), height };
+    };
+    constexpr int Wall = 24;
+    for (int k = 0; k < Wall; ++k)
+    {
+      soup.Add(at(k, Wall, 0.0, 0.0), at(k + 1, Wall, 0.0, 0.0), at(k + 1, Wall, 0.0, 1.0));
+      soup.Add(at(k, Wall, 0.0, 0.0), at(k + 1, Wall, 0.0, 1.0), at(k, Wall, 0.0, 1.0));
+    }
+    for (const int n : { 17, 90 })
+    {
+      const double height = n == 17 ? 0.0 : 1.0;
+      for (int k = 0; k < n; ++k)
+      {
+        soup.Add({ 0.0, 0.0, height }, at(k + 1, n, turn, height), at(k, n, turn, height));
+        if (n == 90)
+        {
+          soup.Turn(soup.Mesh.NumberOfTriangles() - 1);
+        }
+      }
+    }
+    const Verdict verdict = JudgeClosed(soup, 0.2);
+    EXPECT_FALSE(verdict.Problems.HasErrors()) << turn;
+    EXPECT_GT(verdict.Count(ProblemCode::ClosedHoles), 3) << turn;
+    EXPECT_EQ(verdict.Count(ProblemCode::InconsistentEdges), 0) << turn;
+    EXPECT_EQ(verdict.Figures().EulerNumber, 2) << turn;
+    EXPECT_NEAR(verdict.Figures().Volume, Pi, 0.05) << turn;
+    EXPECT_GT(JudgeClosed(soup, 0.02).Count(ProblemCode::OpenEdges), 1) << turn;
+  }
+}
+
+TEST(SurfaceCheck, TellsHolesThatTouchOneByOne)
+{
+  Soup soup;
+  soup.AddBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, 4);
+  Soup holes = soup;
+  // Two triangles of one side with one common corner, and no side between them.
+  holes.Remove(2);
+  holes.Remove(0);
+  ASSERT_EQ(Judge(holes).Count(ProblemCode::OpenEdges), 2);
+  const Verdict verdict = JudgeClosed(holes, 1.0);
+  EXPECT_EQ(verdict.Count(ProblemCode::ClosedHoles), 2);
+  EXPECT_NEAR(verdict.Figures().Volume, 1.0, 1e-12);
+  EXPECT_EQ(verdict.Surface.Mesh.NumberOfTriangles(), soup.Mesh.NumberOfTriangles());
+}
+
 TEST(SurfaceCheck, FindsTheThicknessOfAPlateAndOfASphere)
 {
   Soup plate;

@@ -116,14 +116,22 @@ struct Verdict
   const SurfaceFigures& Figures() const { return this->Surface.Figures; }
 };
 
-inline Verdict Judge(const Soup& soup, double noise = 1e-12, Monitor& monitor = NoMonitor())
+/// With a spacing: holes and slits that are narrow for it are closed.
+inline Verdict Judge(const Soup& soup, double noise = 1e-12, Monitor& monitor = NoMonitor(),
+  const SpacingField& spacing = {})
 {
   Verdict verdict;
   SurfaceCheckOptions options;
   options.Rounding = { noise, noise, noise };
   options.Noise = noise;
+  options.Spacing = spacing;
   verdict.Surface = CheckSurface(soup.Mesh, options, verdict.Problems, monitor);
   return verdict;
+}
+
+inline Verdict JudgeClosed(const Soup& soup, double spacing)
+{
+  return Judge(soup, 1e-12, NoMonitor(), [spacing](const Point3&) { return spacing; });
 }
 
 } // namespace biting

@@ -1,0 +1,335 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SurfaceHoles.h"
+
+#include "../../Base/DistanceToSegment.h"
+#include "../../Base/Numbers.h"
+#include "SurfaceRepair.h"
+
+#include <algorithm> // for all_of, find_if, min, minmax, reverse, rotate
+#include <array>     // for triangles
+#include <cstdint>   // for marks
+#include <numeric>   // for iota
+#include <set>       // for edges
+#include <utility>   // for pairs
+
+namespace biting
+{
+
+namespace
+{
+
+// Patches for holes, one after the other.
+class HolePatches
+{
+public:
+  HolePatches(SurfaceMesh& mesh, const SpacingField& reach, Pulse& pulse)
+    : Mesh(mesh)
+    , Reach(reach)
+    , Beats(pulse)
+    , SlotsAt(CornersOfVertices(mesh))
+  {
+  }
+
+  // Whether the hole was closed.
+  bool Close(const BorderChain& hole)
+  {
+    this->Begin(hole);
+    return this->Fill();
+  }
+
+  // Whether both loops border one slit, which was closed: they are joined where they are nearest,
+  // by an edge there and back.
+  bool CloseBetween(const BorderChain& hole, const BorderChain& other)
+  {
+    this->Begin(other);
+    const std::vector<Id> loop = std::move(this->Loop);
+    std::vector<std::size_t> beside = std::move(this->Beside);
+    this->Begin(hole);
+    std::array<std::size_t, 2> nearest{ 0, 0 };
+    // No place of a loop is farther from the first one than half of its length.
+    const double apart = Distance(this->Place(0), this->Mesh.Points[At(loop.front())]);
+    const double reach = 2.0 * this->Reach(this->Place(0)) + 0.5 * (hole.Length + other.Length);
+    double least = Infinity;
+    for (std::size_t i = 0; i < this->Loop.size() && apart <= reach; ++i)
+    {
+      for (std::size_t j = 0; j < loop.size() && this->Beats.Beat(1); ++j)
+      {
+        const double distance = Distance(this->Place(i), this->Mesh.Points[At(loop[j])]);
+        nearest = distance < least ? std::array<std::size_t, 2>{ i, j } : nearest;
+        least = std::min(distance, least);
+      }
+    }
+    if (!(least <= 2.0 * this->Reach(this->Place(nearest[0]))))
+    {
+      return false;
+    }
+    this->Join(nearest[0], loop, beside, nearest[1]);
+    return this->Fill();
+  }
+
+private:
+  using Corners = std::array<std::size_t, 3>; ///< places of the loop, in order
+
+  // Takes the loop in the direction that patches have, against the triangles beside.
+  void Begin(const BorderChain& hole)
+  {
+    this->Triangles.clear();
+    this->Loop.assign(hole.Vertices.begin(), hole.Vertices.end() - 1);
+    this->Beside.clear();
+    for (const Id slot : hole.Slots)
+    {
+      this->Beside.push_back(At(slot) / 3);
+    }
+    if (this->Mesh.Corners[NextSlotOf(At(hole.Slots.front()))] == this->Loop.front())
+    {
+      std::reverse(this->Loop.begin(), this->Loop.end());
+      std::reverse(this->Beside.begin(), this->Beside.end() - 1);
+    }
+  }
+
+  const Point3& Place(std::size_t k) const { return this->Mesh.Points[At(this->Loop[k])]; }
+
+  bool HasEdge(std::size_t i, std::size_t j) const
+  {
+    return this->Loop[i] == this->Loop[j] ||
+      this->Chords.count(std::minmax(this->Loop[i], this->Loop[j])) > 0 ||
+      biting::HasEdge(this->Mesh, this->SlotsAt, this->Loop[i], this->Loop[j]);
+  }
+
+  // The loop becomes one with another one, from its place `own` to the place `its` of that.
+  void Join(std::size_t own, std::vector<Id> loop, std::vector<std::size_t> beside, std::size_t its)
+  {
+    const auto turn = [](auto& items, std::size_t first) {
+      std::rotate(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(first), items.end());
+    };
+    turn(this->Loop, own);
+    turn(this->Beside, own);
+    turn(loop, its);
+    turn(beside, its);
+    const bool isEdge = this->Loop.front() != loop.front();
+    if (isEdge)
+    {
+      this->Chords.insert(std::minmax(this->Loop.front(), loop.front()));
+      this->Loop.push_back(this->Loop.front());
+      this->Beside.push_back(this->Beside.back());
+      loop.push_back(loop.front());
+      beside.push_back(beside.back());
+    }
+    this->Loop.insert(this->Loop.end(), loop.begin(), loop.end());
+    this->Beside.insert(this->Beside.end(), beside.begin(), beside.end());
+  }
+
+  // Whether the loop was closed.
+  bool Fill()
+  {
+    std::vector<std::size_t> all(this->Loop.size());
+    std::iota(all.begin(), all.end(), 0);
+    const bool isTriangle = all.size() == 3 && this->Beside[0] == this->Beside[1];
+    const bool isClear = !isTriangle && this->Triangulate(all) &&
+      std::all_of(this->Triangles.begin(), this->Triangles.end(),
+        [this](const Corners& corners) { return this->IsClear(corners); });
+    if (isClear)
+    {
+      this->AddTriangles();
+    }
+    return isClear;
+  }
+
+  // Of the places of the loop in `part`, in order. Whether there is a triangulation.
+  bool Triangulate(const std::vector<std::size_t>& part)
+  {
+    constexpr std::size_t MostAtOnce = 100;
+    const std::size_t count = part.size();
+    if (count > MostAtOnce)
+    {
+      return this->Divide(part);
+    }
+    // Of the polygon from place i on to place j: the least costs, and the corner opposite its side.
+    std::vector<double> costs(count * count, Infinity);
+    std::vector<std::size_t> corners(count * count, 0);
+    for (std::size_t i = 0; i + 1 < count; ++i)
+    {
+      costs[i * count + i + 1] = 0.0;
+    }
+    for (std::size_t length = 2; length < count; ++length)
+    {
+      for (std::size_t i = 0; i + length < count && this->Beats.Beat(); ++i)
+      {
+        const std::size_t j = i + length;
+        double& best = costs[i * count + j];
+        const bool isPossible = length + 1 == count || !this->HasEdge(part[i], part[j]);
+        for (std::size_t k = i + 1; k < j && isPossible; ++k)
+        {
+          const double parts = costs[i * count + k] + costs[k * count + j];
+          const double cost =
+            parts < best ? parts + this->CostOf({ part[i], part[k], part[j] }) : Infinity;
+          corners[i * count + j] = cost < best ? k : corners[i * count + j];
+          best = std::min(best, cost);
+        }
+      }
+    }
+    std::vector<std::pair<std::size_t, std::size_t>> sides{ { 0, count - 1 } };
+    while (costs[count - 1] < Infinity && !sides.empty())
+    {
+      const auto [i, j] = sides.back();
+      sides.pop_back();
+      if (j > i + 1)
+      {
+        const std::size_t k = corners[i * count + j];
+        this->Triangles.push_back({ part[i], part[k], part[j] });
+        sides.push_back({ i, k });
+        sides.push_back({ k, j });
+      }
+    }
+    return costs[count - 1] < Infinity;
+  }
+
+  // By the shortest edge that leaves a quarter on both sides.
+  bool Divide(const std::vector<std::size_t>& part)
+  {
+    const std::size_t least = part.size() / 4;
+    std::pair<std::size_t, std::size_t> best{ 0, 0 };
+    double shortest = Infinity;
+    for (std::size_t i = 0; i + least < part.size(); ++i)
+    {
+      const std::size_t end = std::min(part.size(), i + part.size() - least);
+      for (std::size_t j = i + least; j < end && this->Beats.Beat(1); ++j)
+      {
+        const double length = Distance(this->Place(part[i]), this->Place(part[j]));
+        if (length < shortest && !this->HasEdge(part[i], part[j]))
+        {
+          shortest = length;
+          best = { i, j };
+        }
+      }
+    }
+    const auto at = [&part](std::size_t k)
+    { return part.begin() + static_cast<std::ptrdiff_t>(k); };
+    std::vector<std::size_t> rest(part.begin(), at(best.first + 1));
+    rest.insert(rest.end(), at(best.second), part.end());
+    return shortest < Infinity &&
+      this->IsNear(Midpoint(this->Place(part[best.first]), this->Place(part[best.second]))) &&
+      this->Triangulate({ at(best.first), at(best.second + 1) }) && this->Triangulate(rest);
+  }
+
+  // Area; where many triangulations have the same, as of slits, lengths count.
+  double CostOf(const Corners& corners) const
+  {
+    constexpr double Weight = 1e-3;
+    const Point3 a = this->Place(corners[1]) - this->Place(corners[0]);
+    const Point3 b = this->Place(corners[2]) - this->Place(corners[1]);
+    const Point3 c = this->Place(corners[0]) - this->Place(corners[2]);
+    return 0.5 * Length(Cross(a, b)) + Weight * (Dot(a, a) + Dot(b, b) + Dot(c, c));
+  }
+
+  // Whether the middle of the circle in the triangle, and of sides, are near the loop.
+  bool IsClear(const Corners& corners)
+  {
+    Point3 middle;
+    double sum = 0.0;
+    bool isClear = true;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Point3& a = this->Place(corners[(k + 1) % 3]);
+      const Point3& b = this->Place(corners[(k + 2) % 3]);
+      const double length = Distance(a, b);
+      middle = middle + length * this->Place(corners[k]);
+      sum += length;
+      isClear = isClear && this->IsNear(Midpoint(a, b));
+    }
+    return isClear && this->IsNear((1.0 / sum) * middle);
+  }
+
+  bool IsNear(const Point3& place)
+  {
+    const double reach = this->Reach(place);
+    bool isNear = false;
+    for (std::size_t k = 0; k < this->Loop.size() && !isNear && this->Beats.Beat(1); ++k)
+    {
+      const std::size_t next = k + 1 < this->Loop.size() ? k + 1 : 0;
+      isNear = DistanceToSegment(place, this->Place(k), this->Place(next)) <= reach;
+    }
+    return isNear;
+  }
+
+  void AddTriangles()
+  {
+    for (const Corners& corners : this->Triangles)
+    {
+      // An edge of the loop, if there is one, is from the first or from the second corner on.
+      const bool isFirst = corners[1] == corners[0] + 1;
+      const std::size_t added = this->Mesh.NumberOfTriangles();
+      this->Mesh.Resize(added + 1);
+      this->Mesh.CopyTriangle(this->Beside[corners[isFirst ? 0 : 1]], added);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        this->Mesh.Corners[3 * added + k] = this->Loop[corners[k]];
+        this->Chords.insert(std::minmax(this->Loop[corners[k]], this->Loop[corners[(k + 1) % 3]]));
+      }
+    }
+  }
+
+  SurfaceMesh& Mesh;
+  const SpacingField& Reach;
+  Pulse& Beats;
+  IdLists SlotsAt;                    ///< of the given triangles
+  std::set<std::pair<Id, Id>> Chords; ///< edges of patches
+  std::vector<Id> Loop;               ///< vertices of the hole at hand
+  std::vector<std::size_t> Beside;    ///< of each edge of it, from its vertex on: the triangle
+  std::vector<Corners> Triangles;     ///< of its patch
+};
+
+} // namespace
+
+void CloseHoles(SurfaceMesh& mesh, SurfaceLinks& links, const SpacingField& reach,
+  ProblemList& problems, Pulse& pulse)
+{
+  if (links.NumberOfOpen == 0)
+  {
+    return;
+  }
+  const std::size_t given = mesh.NumberOfTriangles();
+  HolePatches patches(mesh, reach, pulse);
+  std::vector<BorderChain> left;
+  const auto tell = [&mesh, &problems](const BorderChain& hole)
+  { problems.Add(BorderProblem(ProblemCode::ClosedHoles, mesh, hole)); };
+  for (BorderChain& hole : BorderChains(mesh, links, pulse))
+  {
+    constexpr std::size_t MostEdges = 10000;
+    const bool isPossible = hole.IsLoop && hole.Slots.size() <= MostEdges;
+    if (isPossible && patches.Close(hole))
+    {
+      tell(hole);
+    }
+    else if (isPossible)
+    {
+      left.push_back(std::move(hole));
+    }
+  }
+  for (auto hole = left.begin(); hole != left.end(); ++hole)
+  {
+    const auto other = std::find_if(hole + 1, left.end(),
+      [hole, &patches](const BorderChain& next) { return patches.CloseBetween(*hole, next); });
+    if (other != left.end())
+    {
+      tell(*hole);
+      tell(*other);
+      left.erase(other);
+    }
+  }
+  links = LinkSurface(mesh, pulse);
+  FlipThinTriangles(mesh, links, given, pulse);
+}
+
+Problem BorderProblem(ProblemCode code, const SurfaceMesh& mesh, const BorderChain& chain)
+{
+  constexpr int Digits = 6;
+  const Id first = chain.Vertices.front();
+  return { code, { mesh.PointIds[At(first)] }, mesh.Points[At(first)],
+    (chain.IsLoop ? "a loop of " : "a chain of ") + std::to_string(chain.Slots.size()) +
+      " edges, length " + Figure(chain.Length, Digits) + ", area " + Figure(chain.Area, Digits) };
+}
+
+} // namespace biting
