@@ -3,7 +3,7 @@
 
 // Surface meshes of about as many vertices as their surfaces have triangles. CPU times of one
 // thread, and memory beside the surface, a vertex.
-//   BenchmarkSurface [vertices]   a table; from 10000 up to 1000000 in steps of 10
+//   BenchmarkSurface [vertices [surface]]   a table; from 10000 up to 1000000 in steps of 10
 //
 // torus: curved, no features. needles: a prism of 96 sides, whose triangles are long strips. plate:
 // a box of 1 x 1 x .04, thinner than f at first.
@@ -18,6 +18,7 @@
 #include <cstdio>    // for tables
 #include <cstdlib>   // for arguments
 #include <ctime>     // for CPU time
+#include <string>    // for names
 #include <utility>   // for move
 #include <vector>    // for points
 
@@ -106,8 +107,12 @@ double AreaOf(const SurfaceMesh& mesh)
   return area;
 }
 
-void Measure(const char* name, SurfaceMesh mesh, double vertices)
+void Measure(const char* name, const std::string& only, SurfaceMesh mesh, double vertices)
 {
+  if (!only.empty() && only != name)
+  {
+    return;
+  }
   ProblemList problems;
   const CheckedSurface surface = CheckSurface(std::move(mesh), {}, problems, NoMonitor());
   SurfaceMesherOptions options;
@@ -128,13 +133,14 @@ void Measure(const char* name, SurfaceMesh mesh, double vertices)
 int main(int argc, char** argv)
 {
   const double only = argc > 1 ? std::strtod(argv[1], nullptr) : 0.0;
+  const std::string surface = argc > 2 ? argv[2] : "";
   std::printf("%-8s %9s %9s %8s %8s\n", "surface", "triangles", "vertices", "us", "bytes");
   for (double vertices = only > 0.0 ? only : 1e4; vertices <= std::max(only, 1e6);
        vertices *= only > 0.0 ? Infinity : 10.0)
   {
-    Measure("torus", Torus(vertices), vertices);
-    Measure("needles", Prism(96, 0.5, 2.0), vertices);
-    Measure("plate", Prism(4, std::sqrt(0.5), 0.04), vertices);
+    Measure("torus", surface, Torus(vertices), vertices);
+    Measure("needles", surface, Prism(96, 0.5, 2.0), vertices);
+    Measure("plate", surface, Prism(4, std::sqrt(0.5), 0.04), vertices);
   }
   return 0;
 }

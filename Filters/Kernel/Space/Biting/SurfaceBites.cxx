@@ -8,8 +8,8 @@
 #include <algorithm> // for find, max, min
 #include <array>     // for corners
 #include <cmath>     // for sqrt
-#include <cstddef>   // for ptrdiff_t
 #include <cstdint>   // for marks
+#include <deque>     // for queues
 #include <utility>   // for move
 
 namespace biting
@@ -109,25 +109,17 @@ private:
 
   void EmptyQueue()
   {
-    while (this->First < this->Queue.size() && this->Beats.Beat(16) &&
-      this->Bites.Centers.size() <= this->MostBites)
+    while (
+      !this->Queue.empty() && this->Beats.Beat(16) && this->Bites.Centers.size() <= this->MostBites)
     {
-      const Candidate candidate = this->Queue[this->First];
-      ++this->First;
+      const Candidate candidate = this->Queue.front();
+      this->Queue.pop_front();
       if (!this->IsTaken(candidate.Triangle, candidate.Place))
       {
         this->AddBite(candidate.Place, candidate.Triangle);
       }
-      constexpr std::size_t MostDone = 4096; // memory is that of those that wait, doubled
-      if (this->First > std::max(MostDone, this->Queue.size() / 2))
-      {
-        this->Queue.erase(
-          this->Queue.begin(), this->Queue.begin() + static_cast<std::ptrdiff_t>(this->First));
-        this->First = 0;
-      }
     }
     this->Queue.clear();
-    this->First = 0;
   }
 
   /// Whether the guard of a bite that reaches the triangle has the place.
@@ -216,24 +208,32 @@ private:
     while (next < this->Front.size()) // GoAcross adds some
     {
       const Id triangle = this->Front[next++];
-      this->IsWithin.push_back(this->HasAll(triangle, center, radius2) ? 1 : 0);
+      std::array<double, 3> away{}; // of the corners, squared
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const Point3 apart = this->Ground.Mesh.At(3 * At(triangle) + k) - center;
+        away[k] = Dot(apart, apart);
+      }
+      // By more than candidates may be beside the triangle.
+      constexpr double Most = 1.0 - 1e-6;
+      const double farthest = std::max(away[0], std::max(away[1], away[2]));
+      this->IsWithin.push_back(farthest < Most * radius2 ? 1 : 0);
       if (this->IsWithin.back() == 0)
       {
         this->Meet(bite, triangle);
       }
-      for (std::size_t slot = 3 * At(triangle); slot < 3 * At(triangle) + 3; ++slot)
+      for (std::size_t k = 0; k < 3; ++k)
       {
+        const std::size_t slot = 3 * At(triangle) + k;
         const Id across = this->Ground.Across[slot];
         const bool isSeen = across != NoId && this->Seen[At(across / 3)] == bite;
-        if (!isSeen && this->Distance2(slot, center) <= radius2)
+        if (!isSeen &&
+          (std::min(away[(k + 1) % 3], away[(k + 2) % 3]) <= radius2 ||
+            this->Distance2(slot, center) <= radius2))
         {
           this->GoAcross(bite, slot);
         }
       }
-    }
-    if (this->Entries.size() + this->Front.size() > this->Entries.capacity())
-    {
-      this->Entries.reserve(5 * (this->Entries.size() + this->Front.size()) / 4); // most of memory
     }
     for (std::size_t k = 0; k < this->Front.size(); ++k)
     {
@@ -250,19 +250,6 @@ private:
     {
       this->Queue.push_back(way);
     }
-  }
-
-  /// Whether the corners are in the ball, by more than candidates may be beside the triangle.
-  bool HasAll(Id triangle, const Point3& center, double radius2) const
-  {
-    constexpr double Most = 1.0 - 1e-6;
-    bool isWithin = true;
-    for (std::size_t slot = 3 * At(triangle); slot < 3 * At(triangle) + 3 && isWithin; ++slot)
-    {
-      const Point3 apart = this->Ground.Mesh.At(slot) - center;
-      isWithin = Dot(apart, apart) < Most * radius2;
-    }
-    return isWithin;
   }
 
   void GoAcross(Id bite, std::size_t slot)
@@ -403,13 +390,12 @@ private:
   const std::size_t MostBites;
   Pulse& Beats;
   SurfaceBites Bites;
-  std::vector<Id> Heads; ///< of triangles: the first of the entries of bites that reach it
-  std::vector<Entry> Entries;
-  std::vector<Id> Seen;               ///< of triangles: the last bite whose walk came there
-  std::vector<Id> Front;              ///< of the walk
+  std::vector<Id> Heads;     ///< of triangles: the first of the entries of bites that reach it
+  std::deque<Entry> Entries; ///< most of memory: it is not copied
+  std::vector<Id> Seen;      ///< of triangles: the last bite whose walk came there
+  std::vector<Id> Front;     ///< of the walk
   std::vector<std::uint8_t> IsWithin; ///< of its triangles: the ball has all of them
-  std::vector<Candidate> Queue;
-  std::size_t First = 0;
+  std::deque<Candidate> Queue;
   std::size_t NumberOfMeetings = 0;
   std::vector<Id> Near; ///< bites in a triangle that the new one may meet
 };

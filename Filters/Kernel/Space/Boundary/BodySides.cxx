@@ -133,13 +133,12 @@ private:
           this->Result.Folded = { static_cast<Id>(slots[k] / 3), static_cast<Id>(next / 3) };
         }
       }
-      this->CrowdedSlots.push_back(slots[0]);
-      this->IsOddSlot.push_back(slots.size() % 2 == 1 ? 1 : 0);
     }
-    for (std::size_t k = 0; k < this->CrowdedSlots.size(); ++k)
+    for (std::size_t edge = 0; edge < links.NumberOfCrowded(); ++edge)
     {
-      const std::size_t shell = this->ShellOf(this->CrowdedSlots[k] / 3);
-      this->IsOdd[shell] |= this->IsOddSlot[k];
+      const Id first = links.CrowdedOffsets[edge];
+      const std::size_t shell = this->ShellOf(At(links.CrowdedSlots[At(first)]) / 3);
+      this->IsOdd[shell] |= (links.CrowdedOffsets[edge + 1] - first) % 2;
       this->HasWalls[shell] = 1;
     }
   }
@@ -202,19 +201,9 @@ private:
     }
   }
 
-  struct LineMeeting
-  {
-    double X;
-    Id Triangle;
-    bool operator<(const LineMeeting& other) const
-    {
-      return this->X != other.X ? this->X < other.X : this->Triangle < other.Triangle;
-    }
-  };
-
   void JoinAlong(const BoxTree<SurfaceItem, 3>& tree, const Point3& place, std::size_t shell)
   {
-    std::vector<LineMeeting> met;
+    std::vector<std::pair<double, Id>> met; // where along the line, and the triangle
     tree.AllOf(Box3::Around(place, { Infinity, place.Y, place.Z }),
       [this, &place, &met](const SurfaceItem& item)
       {
@@ -223,8 +212,8 @@ private:
         {
           const Point3 normal = this->Mesh.Normal(At(item.Triangle));
           const Point3 way = triangle[0] - place;
-          met.push_back(
-            { place.X + way.X + (normal.Y * way.Y + normal.Z * way.Z) / normal.X, item.Triangle });
+          const double rise = (normal.Y * way.Y + normal.Z * way.Z) / normal.X;
+          met.push_back({ place.X + way.X + rise, item.Triangle });
         }
         return true;
       });
@@ -232,13 +221,13 @@ private:
     std::size_t last = met.size();
     for (std::size_t k = 0; k < met.size(); ++k)
     {
-      last = this->ShellOf(At(met[k].Triangle)) == shell ? k : last;
+      last = this->ShellOf(At(met[k].second)) == shell ? k : last;
     }
     if (last < met.size())
     {
       const auto side = [this, &met](std::size_t k, bool isBeyond)
       {
-        const std::size_t t = At(met[k].Triangle);
+        const std::size_t t = At(met[k].second);
         return SideOf(t, (this->Mesh.Normal(t).X > 0.0) == isBeyond ? 1 : 0);
       };
       this->Parts.Unite(
@@ -391,14 +380,8 @@ private:
 
   void NumberLabels()
   {
-    struct Body
-    {
-      Id Region;
-      Id Order;
-      std::size_t Part;
-    };
     this->Result.HasValues = this->HasValues;
-    std::vector<Body> bodies;
+    std::vector<std::array<Id, 3>> bodies; // region, number by triangles, part
     std::vector<Id> labels(this->Kinds.size(), NoId);
     for (std::size_t side = 0; side < 2 * this->Triangles; ++side)
     {
@@ -409,17 +392,16 @@ private:
         if (this->Kinds[part] == Kind::Body)
         {
           const Id order = static_cast<Id>(bodies.size());
-          bodies.push_back({ this->HasValues ? this->Names[part] : order, order, part });
+          const Id region = this->HasValues ? this->Names[part] : order;
+          bodies.push_back({ region, order, static_cast<Id>(part) });
         }
       }
     }
-    std::sort(bodies.begin(), bodies.end(),
-      [](const Body& a, const Body& b)
-      { return a.Region != b.Region ? a.Region < b.Region : a.Order < b.Order; });
-    for (const Body& body : bodies)
+    std::sort(bodies.begin(), bodies.end());
+    for (const auto& [region, order, part] : bodies)
     {
-      this->Result.Regions.push_back(body.Region);
-      labels[body.Part] = static_cast<Id>(this->Result.Regions.size());
+      this->Result.Regions.push_back(region);
+      labels[At(part)] = static_cast<Id>(this->Result.Regions.size());
     }
     for (std::size_t t = 0; t < this->Triangles; ++t)
     {
@@ -443,9 +425,7 @@ private:
   /// Of shells: they have edges of more than two triangles, or triangles of two values.
   std::vector<std::uint8_t> HasWalls;
   std::vector<std::uint8_t> IsMixed; ///< of shells: they have several values
-  std::vector<std::size_t> CrowdedSlots;
-  std::vector<std::uint8_t> IsOddSlot; ///< of these
-  std::vector<RegionPair> ValueOf;     ///< of shells
+  std::vector<RegionPair> ValueOf;   ///< of shells
   bool HasValues = false;
   std::vector<Kind> Kinds;           ///< of parts
   std::vector<Id> Names;             ///< of parts: their values

@@ -6,9 +6,37 @@
 
 #include "../../Base/BoxTree.h"
 #include "../Features/SurfaceGround.h"
+#include "../Surface/NearestOnTriangle.h"
+
+#include <utility> // for pairs
 
 namespace biting
 {
+
+/// Any triangle is wanted.
+struct AnyTriangle
+{
+  bool operator()(Id) const { return true; }
+};
+
+/// Of the triangles nearer to the place than `most` for which isWanted(triangle) the nearest, and
+/// its distance; else NoId and `most`. `tree`: of the triangles of the mesh.
+template <typename Question = AnyTriangle>
+std::pair<Id, double> NearestTriangle(const SurfaceMesh& mesh, const BoxTree<SurfaceItem, 3>& tree,
+  const Point3& place, double most, const Question& isWanted = {})
+{
+  std::pair<Id, double> nearest{ NoId, most };
+  tree.Search(place, 1.0, most,
+    [&mesh, &place, &nearest, &isWanted](const SurfaceItem& item, double)
+    {
+      const double distance =
+        Distance(NearestPoint(mesh.Triangle(At(item.Triangle)), place), place);
+      const bool isNearest = distance < nearest.second && isWanted(item.Triangle);
+      nearest = isNearest ? std::make_pair(item.Triangle, distance) : nearest;
+      return nearest.second;
+    });
+  return nearest;
+}
 
 /// Whether the ray from the place along the first axis meets the triangle. Exact, and no ray meets
 /// an edge: the place counts as moved by an infinitesimal along the third axis and a smaller one

@@ -12,22 +12,16 @@
 #include "BoundaryCheck.h"
 #include "InsideTest.h"
 
-#include <algorithm> // for min, max
+#include <algorithm> // for min, max, their elements
 #include <array>     // for corners
-#include <cmath>     // for abs
+#include <cmath>     // for abs, floor
+#include <utility>   // for pairs
 
 namespace biting
 {
 
 namespace
 {
-
-/// Where the dual edge of a facet meets the surface.
-struct DualMeeting
-{
-  Id Triangle = NoId; ///< of the input, nearest to the facet; NoId: nowhere
-  Id Count = 0;
-};
 
 /// The dual edge of a facet: foot + h normal, for h from Begin to End, near the facet.
 struct DualEdge
@@ -47,21 +41,34 @@ Point3 NormalOf(const TetMesh& mesh, Id facet)
   return (1.0 / Length(normal)) * normal;
 }
 
-Point3 MiddleOf(const TetMesh& mesh, Id facet)
-{
-  Point3 middle{};
-  for (int k = 0; k < 3; ++k)
-  {
-    middle = middle + (1.0 / 3.0) * mesh.PointAt(mesh.FacetCorner(facet, k));
-  }
-  return middle;
-}
-
 /// Of a triangle of the input.
 bool Agree(const SurfaceGround& ground, Id triangle, const Point3& normal)
 {
   constexpr double LeastCosine = 0.5;
   return Dot(normal, ground.Normals[At(triangle)]) >= LeastCosine;
+}
+
+/// Corners of a cube around the box: so flat surfaces have cells on both sides. Then so many places
+/// in the box.
+std::vector<Point3> SpreadPoints(const Box3& box, std::size_t count)
+{
+  constexpr std::size_t Corners = 8;
+  const double reach = 3.0 * box.Diagonal();
+  std::vector<Point3> points(Corners + count);
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    // Multiples of 1/g, 1/g^2 and 1/g^3, where g^4 = g + 1: evenly spread.
+    constexpr std::array<double, 3> Shares{ 0.8191725133961645, 0.6710436067037893,
+      0.5497004779019703 };
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      const double share = Shares[d] * static_cast<double>(k);
+      points[k][d] = k < Corners
+        ? box.Center()[d] + (((k >> d) & 1u) != 0 ? reach : -reach)
+        : box.Low[d] + (share - std::floor(share)) * (box.High[d] - box.Low[d]);
+    }
+  }
+  return points;
 }
 
 class BoundaryFinder
@@ -79,20 +86,16 @@ public:
 
   SurfaceBoundary Run()
   {
-    const bool isSolid = !this->Ground.Sides.empty();
-    this->Triangulate(isSolid);
-    if (isSolid)
-    {
-      this->LabelCells();
-      this->TakeWalls();
-    }
-    else
+    constexpr int MostRounds = 4;
+    this->Triangulate();
+    if (this->Ground.Sides.empty())
     {
       this->TakeMeetings();
+      CheckBoundary(this->Ground, this->Bites, this->Result, this->Beats);
+      return std::move(this->Result);
     }
-    CheckBoundary(this->Ground, this->Bites, this->Result, this->Beats);
-    constexpr int MostRounds = 3;
-    for (int round = 0; isSolid && round < MostRounds && this->LabelAnew(); ++round)
+    this->LabelCells();
+    for (int round = 0; round < MostRounds && (round == 0 || this->LabelAnew()); ++round)
     {
       this->Result = {};
       this->TakeWalls();
@@ -102,28 +105,43 @@ public:
   }
 
 private:
-  /// Corners of a cube around all: so flat surfaces have cells on both sides.
-  void AddFrame(RegularTriangulation& triangulation)
+  static constexpr std::size_t CheapSteps = 31;
+
+  /// Points p farther from the surface than twice the radius R of any bite. They divide the cells
+  /// across bodies, of which there are many where bites are on a sphere or around an axis.
+  /// Facets between labels stay: their dual edges meet the surface where bites are within R. The
+  /// centre c of a cell at p is on the side of p: if the way from p to c met the surface at x, a
+  /// bite within R of x would be no nearer to c than p is, so |p - x| <= R.
+  void AddFarPoints(RegularTriangulation& triangulation)
   {
-    const Box3 box = this->Ground.Mesh.Bounds();
-    const double reach = 3.0 * box.Diagonal();
-    for (int corner = 0; corner < 8; ++corner)
+    const InsideTest test(this->Input, this->Ground.Sides, this->Tree);
+    const std::vector<double>& radii = this->Bites.Radii;
+    const double reach = radii.empty() ? 0.0 : *std::max_element(radii.begin(), radii.end());
+    constexpr std::size_t BitesPerPoint = 16;
+    const std::vector<Point3> points =
+      SpreadPoints(this->Ground.Mesh.Bounds(), this->Bites.Centers.size() / BitesPerPoint);
+    for (const Id k : SpatialOrder(points, this->Beats))
     {
-      const Point3 way{ (corner & 1) != 0 ? reach : -reach, (corner & 2) != 0 ? reach : -reach,
-        (corner & 4) != 0 ? reach : -reach };
-      triangulation.Insert(box.Center() + way);
-      this->BiteOf.push_back(NoId);
+      if (!this->Beats.Beat(64))
+      {
+        return;
+      }
+      const Point3& place = points[At(k)];
+      if (NearestTriangle(this->Input, this->Tree, place, 2.0 * reach).first == NoId &&
+        triangulation.Insert(place).What != PointOutcome::Duplicate)
+      {
+        this->FarLabels.push_back(this->Ground.Sides.empty() ? 0 : test.LabelAt(place));
+        this->BiteOf.push_back(NoId);
+      }
     }
   }
 
-  void Triangulate(bool isSolid)
+  void Triangulate()
   {
     RegularTriangulation triangulation(this->Bites.NumberOnLines > 0);
-    triangulation.Reserve(this->Bites.Centers.size());
-    if (!isSolid)
-    {
-      this->AddFrame(triangulation);
-    }
+    constexpr double CellsPerBite = 5.3; // on surfaces, with far points
+    triangulation.Reserve(this->Bites.Centers.size(), CellsPerBite);
+    this->AddFarPoints(triangulation);
     const std::vector<Id> order = SpatialOrder(this->Bites.Centers, this->Beats);
     this->BiteOf.reserve(order.size());
     for (const Id bite : order)
@@ -158,7 +176,6 @@ private:
 
   void LabelCells()
   {
-    constexpr std::size_t CheapSteps = 31;
     const InsideTest test(this->Input, this->Ground.Sides, this->Tree);
     this->Labels.assign(At(this->Cells.NumberOfSlots()), 0);
     ForRowsAtOnce(this->Beats, this->Labels.size(), CheapSteps,
@@ -168,12 +185,40 @@ private:
         {
           if (this->Cells.IsTetrahedron(cell))
           {
-            const Point3 center = this->CenterOf(cell);
-            const Id label = this->LabelByNormals(cell, center);
-            this->Labels[At(cell)] = label != NoId ? label : test.LabelAt(center);
+            this->Labels[At(cell)] = this->LabelOf(cell, test);
           }
         }
       });
+  }
+
+  /// Of a cell at a far point its label, else that of the centre: by the planes of the surface at
+  /// all corners where it is far from them, on the same side. No bite is in the sphere of the cell,
+  /// so that the surface, which they cover, is near the sphere only.
+  Id LabelOf(Id cell, const InsideTest& test) const
+  {
+    constexpr double LeastSlope = 0.5;
+    const Id* corners = &this->Cells.Corners[At(4 * cell)];
+    const std::size_t first = At(*std::min_element(corners, corners + 4));
+    if (first < this->FarLabels.size())
+    {
+      return this->FarLabels[first];
+    }
+    const Point3 center = this->CenterOf(cell);
+    Id label = NoId;
+    bool isClear = true;
+    for (Id k = 0; k < 4 && isClear; ++k)
+    {
+      const Id bite = this->BiteOf[At(corners[k])];
+      const Point3 apart = center - this->Bites.Centers[At(bite)];
+      const std::size_t triangle = At(this->Bites.Triangles[At(bite)]);
+      const double height = Dot(apart, this->Ground.NormalOf(triangle));
+      const TriangleSides& sides = this->Ground.Sides[At(this->Ground.Mesh.Cells[triangle])];
+      const Id own = sides[height > 0.0 ? 1 : 0];
+      isClear = bite >= this->Bites.NumberOnLines && (k == 0 || own == label) &&
+        std::abs(height) >= LeastSlope * Length(apart);
+      label = own;
+    }
+    return isClear ? label : test.LabelAt(center);
   }
 
   /// Labels cells at bites with faults by their middles. In a wedge or a wall too thin for f power
@@ -185,12 +230,10 @@ private:
     std::vector<std::uint8_t> isAt(this->Bites.Centers.size(), 0);
     for (const BoundaryOffence& offence : this->Result.Offences)
     {
-      if (offence.Fault == BoundaryFault::Turned)
-      {
-        continue;
-      }
-      isAt[At(offence.Bite)] = 1;
-      isAt[At(offence.Other == NoId ? offence.Bite : offence.Other)] = 1;
+      const Id other = offence.Other == NoId ? offence.Bite : offence.Other;
+      const bool isTurned = offence.Fault == BoundaryFault::Turned;
+      isAt[At(offence.Bite)] |= isTurned ? 0 : 1;
+      isAt[At(other)] |= isTurned ? 0 : 1;
     }
     bool isChanged = false;
     this->IsByMiddle.resize(this->Labels.size(), 0);
@@ -205,13 +248,15 @@ private:
       for (Id k = 0; k < 4 && isFaulty; ++k)
       {
         const Id vertex = mesh.Corners[At(4 * cell + k)];
-        faults += isAt[At(this->BiteOf[At(vertex)])];
+        const Id bite = this->BiteOf[At(vertex)];
+        isFaulty = bite != NoId;
+        faults += isFaulty ? isAt[At(bite)] : 0;
         middle = middle + 0.25 * mesh.PointAt(vertex);
-        size = std::min(size, this->Bites.Sizes[At(this->BiteOf[At(vertex)])]);
+        size = std::min(size, isFaulty ? this->Bites.Sizes[At(bite)] : 0.0);
       }
       constexpr double LeastDepth = 0.03; // flatter cells lie along the surface
       if (isFaulty && faults > 0 &&
-        this->NearestTo(middle, LeastDepth * size, [](Id) { return true; }) == NoId)
+        NearestTriangle(this->Input, this->Tree, middle, LeastDepth * size).first == NoId)
       {
         const Id label = test.LabelAt(middle);
         this->IsByMiddle[At(cell)] = 1;
@@ -222,56 +267,35 @@ private:
     return isChanged;
   }
 
-  /// Where the centre is far from the planes of the surface at all corners, on the same side; else
-  /// NoId. No bite is in the sphere of the cell, so that the surface, which they cover, is near the
-  /// sphere only.
-  Id LabelByNormals(Id cell, const Point3& center) const
-  {
-    constexpr double LeastSlope = 0.5;
-    Id label = NoId;
-    for (Id k = 0; k < 4; ++k)
-    {
-      const Id bite = this->BiteOf[At(this->Cells.Corners[At(4 * cell + k)])];
-      if (bite < this->Bites.NumberOnLines)
-      {
-        return NoId;
-      }
-      const Point3 apart = center - this->Bites.Centers[At(bite)];
-      const std::size_t triangle = At(this->Bites.Triangles[At(bite)]);
-      const double height = Dot(apart, this->Ground.NormalOf(triangle));
-      const TriangleSides& sides = this->Ground.Sides[At(this->Ground.Mesh.Cells[triangle])];
-      const Id own = sides[height > 0.0 ? 1 : 0];
-      if (std::abs(height) < LeastSlope * Length(apart) || (k > 0 && own != label))
-      {
-        return NoId;
-      }
-      label = own;
-    }
-    return label;
-  }
-
   void TakeWalls()
   {
     const TetMesh& mesh = this->Cells;
     const auto labelOf = [this](Id facet) { return this->Labels[At(TetMesh::CellOf(facet))]; };
     this->TakeFacets(
-      [&mesh, &labelOf](Id facet)
+      [this, &mesh, &labelOf](Id facet)
       {
         const Id label = labelOf(facet);
         const Id other = label == 0 ? 0 : labelOf(mesh.Twins[At(facet)]);
-        return label != other && IsBehind(label, other);
+        return label != other && IsBehind(label, other) && this->IsOfBites(facet);
       },
       [this, &mesh, &labelOf](Id facet, std::size_t place)
       {
         const DualEdge dual = this->DualOf(facet);
         const Id near = this->WalkTo(facet, dual);
         const bool isFound = near != NoId && Agree(this->Ground, near, dual.Normal);
-        const Id met = isFound ? near : this->Meet(dual).Triangle;
+        const Id met = isFound ? near : this->Meet(dual).first;
         this->Put(
           facet, isFound ? near : this->TriangleBelow(facet, met, dual.Normal), false, place);
         this->Result.Sides[place] = { labelOf(facet), labelOf(mesh.Twins[At(facet)]) };
         this->Result.BallCenters[place] = this->BallCenter(dual, met);
       });
+  }
+
+  bool IsOfBites(Id facet) const
+  {
+    const auto isBite = [this, facet](int k)
+    { return this->BiteOf[At(this->Cells.FacetCorner(facet, k))] != NoId; };
+    return isBite(0) && isBite(1) && isBite(2);
   }
 
   void TakeMeetings()
@@ -281,27 +305,23 @@ private:
     // to a bite.
     const auto isSmall = [this, &mesh](Id facet)
     {
-      const auto side = [&mesh, facet](int a, int b)
-      {
-        return Distance(
-          mesh.PointAt(mesh.FacetCorner(facet, a)), mesh.PointAt(mesh.FacetCorner(facet, b)));
-      };
-      return std::max(std::max(side(0, 1), side(1, 2)), side(2, 0)) <= 2.0 * this->ReachOf(facet);
+      const auto corner = [&mesh, facet](int k)
+      { return mesh.PointAt(mesh.FacetCorner(facet, k)); };
+      return std::max(Distance(corner(0), corner(1)),
+               std::max(Distance(corner(1), corner(2)), Distance(corner(2), corner(0)))) <=
+        2.0 * this->ReachOf(facet);
     };
     this->TakeFacets(
       [this, &mesh, &isSmall](Id facet)
       {
         const Id twin = mesh.Twins[At(facet)];
-        const auto isOfFrame = [this, &mesh, facet](int k)
-        { return this->BiteOf[At(mesh.FacetCorner(facet, k))] == NoId; };
-        return !isOfFrame(0) && !isOfFrame(1) && !isOfFrame(2) &&
-          (facet < twin || mesh.IsGhost(TetMesh::CellOf(twin))) && isSmall(facet) &&
-          this->Meet(this->DualOf(facet)).Count % 2 == 1;
+        return this->IsOfBites(facet) && (facet < twin || mesh.IsGhost(TetMesh::CellOf(twin))) &&
+          isSmall(facet) && this->Meet(this->DualOf(facet)).second % 2 == 1;
       },
       [this](Id facet, std::size_t place)
       {
         const DualEdge dual = this->DualOf(facet);
-        const Id met = this->Meet(dual).Triangle;
+        const Id met = this->Meet(dual).first;
         const bool isTurned = Dot(dual.Normal, this->Ground.Normals[At(met)]) < 0.0;
         const Id below = this->TriangleBelow(facet, met, (isTurned ? -1.0 : 1.0) * dual.Normal);
         this->Put(facet, below, isTurned, place);
@@ -329,22 +349,21 @@ private:
           }
         }
       });
-    std::vector<std::size_t> begins(1, 0); // of parts
+    std::vector<Id> facets;
     for (const std::vector<Id>& part : parts)
     {
-      begins.push_back(begins.back() + part.size());
+      facets.insert(facets.end(), part.begin(), part.end());
     }
-    const std::size_t facets = begins.back();
-    this->Result.Corners.resize(3 * facets);
-    this->Result.Triangles.resize(facets);
-    this->Result.Sides.resize(facets);
-    this->Result.BallCenters.resize(facets);
-    DoTasks(this->Beats, parts.size(),
-      [&put, &parts, &begins](std::size_t k, Monitor&)
+    this->Result.Corners.resize(3 * facets.size());
+    this->Result.Triangles.resize(facets.size());
+    this->Result.Sides.resize(facets.size());
+    this->Result.BallCenters.resize(facets.size());
+    ForRowsAtOnce(this->Beats, facets.size(), CheapSteps,
+      [&put, &facets](std::size_t begin, std::size_t end)
       {
-        for (std::size_t i = 0; i < parts[k].size(); ++i)
+        for (std::size_t place = begin; place < end; ++place)
         {
-          put(parts[k][i], begins[k] + i);
+          put(facets[place], place);
         }
       });
   }
@@ -430,9 +449,11 @@ private:
     return NoId;
   }
 
-  DualMeeting Meet(const DualEdge& dual) const
+  /// The triangle of the input where the dual edge meets the surface nearest to the facet, or NoId;
+  /// and how often it meets it.
+  std::pair<Id, Id> Meet(const DualEdge& dual) const
   {
-    DualMeeting meeting;
+    std::pair<Id, Id> meeting{ NoId, 0 };
     if (!(dual.Begin < dual.End))
     {
       return meeting;
@@ -455,11 +476,11 @@ private:
         const double height = isMet ? line.Rise / line.Sum : Infinity;
         if (height >= dual.Begin && height <= dual.End)
         {
-          ++meeting.Count;
+          ++meeting.second;
           if (std::abs(height) < least)
           {
             least = std::abs(height);
-            meeting.Triangle = item.Triangle;
+            meeting.first = item.Triangle;
           }
         }
         return true;
@@ -503,33 +524,18 @@ private:
     {
       return met;
     }
-    const Point3 middle = MiddleOf(this->Cells, facet);
+    const auto corner = [this, facet](int k)
+    { return this->Cells.PointAt(this->Cells.FacetCorner(facet, k)); };
+    const Point3 middle = (1.0 / 3.0) * (corner(0) + corner(1) + corner(2));
     const Id bite = this->BiteOf[At(this->Cells.FacetCorner(facet, 0))];
-    const Id best = this->NearestTo(middle, Near * this->Bites.Sizes[At(bite)],
-      [this, &normal](Id triangle) { return Agree(this->Ground, triangle, normal); });
-    const Id other = met != NoId ? met : this->NearestTo(middle, Infinity, [](Id) { return true; });
+    const Id best = NearestTriangle(this->Input, this->Tree, middle,
+      Near * this->Bites.Sizes[At(bite)],
+      [this, &normal](Id triangle) {
+        return Agree(this->Ground, triangle, normal);
+      }).first;
+    const Id other =
+      met != NoId ? met : NearestTriangle(this->Input, this->Tree, middle, Infinity).first;
     return best != NoId ? best : other;
-  }
-
-  /// The triangle of the input that is nearest to the place, and nearer than `most`, of those that
-  /// are wanted; or NoId.
-  template <typename Question>
-  Id NearestTo(const Point3& place, double most, const Question& isWanted) const
-  {
-    Id nearest = NoId;
-    this->Tree.Search(place, 1.0, most,
-      [this, &place, &nearest, &isWanted](const SurfaceItem& item, double limit)
-      {
-        if (!isWanted(item.Triangle))
-        {
-          return limit;
-        }
-        const std::array<Point3, 3> triangle = this->Input.Triangle(At(item.Triangle));
-        const double distance = Distance(NearestPoint(triangle, place), place);
-        nearest = distance < limit ? item.Triangle : nearest;
-        return std::min(limit, distance);
-      });
-    return nearest;
   }
 
   const SurfaceMesh& Input;
@@ -539,6 +545,7 @@ private:
   TetMesh Cells;                       ///< their regular triangulation
   Pulse& Beats;
   std::vector<Id> BiteOf;               ///< of vertices
+  std::vector<Id> FarLabels;            ///< of the first vertices, which are far points
   std::vector<Id> Labels;               ///< of cells: the side of the surface they are on
   std::vector<std::uint8_t> IsByMiddle; ///< of cells: labelled by their middles
   SurfaceBoundary Result;

@@ -61,9 +61,10 @@ bool AreCollinear(const Point3& a, const Point3& b, const Point3& c)
 
 } // namespace
 
-void RegularTriangulation::Reserve(std::size_t numberOfPoints)
+void RegularTriangulation::Reserve(std::size_t numberOfPoints, double cellsPerPoint)
 {
-  const std::size_t cells = numberOfPoints * 68 / 10 + 16;
+  const auto cells =
+    static_cast<std::size_t>(cellsPerPoint * static_cast<double>(numberOfPoints)) + 16;
   this->Tets.Points.reserve(numberOfPoints);
   this->Tets.VertexCells.reserve(numberOfPoints);
   this->Tets.Weights.reserve(this->HasWeights ? numberOfPoints : 0);

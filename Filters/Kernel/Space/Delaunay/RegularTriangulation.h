@@ -61,7 +61,7 @@ public:
   }
 
   /// Room for points of ordinary distributions: 6.8 cells a point.
-  void Reserve(std::size_t numberOfPoints);
+  void Reserve(std::size_t numberOfPoints, double cellsPerPoint = 6.8);
 
   /// Inserts a point; the number of a new vertex is the next one. `hint`: a vertex nearby, or NoId.
   PointInsertion Insert(const Point3& point, double weight = 0.0, Id hint = NoId);

@@ -6,6 +6,7 @@
 #include "../Surface/NearestOnTriangle.h"
 #include "../Surface/SurfaceCrossings.h"
 #include "../Surface/SurfaceLinks.h"
+#include "GroundPatches.h"
 
 #include <algorithm>  // for min, max
 #include <array>      // for corners
@@ -225,41 +226,14 @@ std::vector<Id> PieceOfEach(const SurfaceGround& ground)
   return pieces;
 }
 
-/// The piece of a triangle of the input at the place, by a walk from another one.
-Id PieceAt(const SurfaceGround& ground, Id piece, const Point3& place)
-{
-  constexpr double Beside = 1e-9;
-  constexpr int MostSteps = 1000;
-  Id next = piece;
-  for (int step = 0; step < MostSteps && next != NoId; ++step)
-  {
-    piece = next;
-    next = NoId;
-    double least = 0.0;
-    for (std::size_t slot = 3 * At(piece); slot < 3 * At(piece) + 3; ++slot)
-    {
-      const Point3& tail = ground.Mesh.At(NextSlotOf(slot));
-      const Point3 side = ground.Mesh.At(PreviousSlotOf(slot)) - tail;
-      const double left = Dot(Cross(side, place - tail), ground.NormalOf(At(piece)));
-      const Id other = ground.Across[slot] == NoId ? NoId : ground.Across[slot] / 3;
-      if (left < std::min(least, -Beside * Dot(side, side)) && other != NoId &&
-        ground.Mesh.Cells[At(other)] == ground.Mesh.Cells[At(piece)])
-      {
-        least = left;
-        next = other;
-      }
-    }
-  }
-  return piece;
-}
-
 /// The piece of a wall that a ball of the diameter touches at `place`: f grows from there. What is
 /// steeper than any gradation is left to later rounds, when the wall is divided there. `piece`:
 /// another one of the wall, then this.
-void CapWall(SurfaceGround& ground, Id& piece, const Point3& place, double diameter)
+void CapWall(SurfaceGround& ground, const GroundPatches& patches, Id& piece, const Point3& place,
+  double diameter)
 {
   constexpr double Growth = 0.3;
-  piece = PieceAt(ground, piece, place);
+  piece = patches.Project(piece, place).Triangle;
   for (std::size_t slot = 3 * At(piece); slot < 3 * At(piece) + 3; ++slot)
   {
     Cap(
@@ -430,12 +404,13 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
   const BoxTree<SurfaceItem, 3>& inputTree, std::size_t firstVertex, Pulse& pulse)
 {
   ShrinkingBall ball(ground, input, inputTree);
+  const GroundPatches patches(ground);
   std::vector<Id> pieces = PieceOfEach(ground);
   std::vector<std::uint8_t> isDone(ground.Mesh.NumberOfTriangles(), 0);
   // Triangles near a place are not measured: where it sees no wall they see none, and a wall's
   // distance changes by less than theirs.
-  const auto measure = [&ball, &ground, &pieces, &isDone](const Point3& place, const Point3& normal,
-                         Id triangle, const Id* begin, const Id* end)
+  const auto measure = [&ball, &ground, &patches, &pieces, &isDone](const Point3& place,
+                         const Point3& normal, Id triangle, const Id* begin, const Id* end)
   {
     double size = 0.0; // no larger ball matters, nor any where f is as small as it may be
     double least = Infinity;
@@ -453,7 +428,7 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
       {
         near = std::min(near, 0.1 * std::max(diameter, least));
         std::for_each(begin, end, [&ground, diameter](Id v) { Cap(ground, v, diameter); });
-        CapWall(ground, pieces[At(ball.Wall)], ball.Touch, diameter);
+        CapWall(ground, patches, pieces[At(ball.Wall)], ball.Touch, diameter);
       }
     }
     MarkAround(ground, triangle, place, near, isDone);

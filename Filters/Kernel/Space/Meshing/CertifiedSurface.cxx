@@ -4,10 +4,10 @@
 #include "CertifiedSurface.h"
 
 #include "../../Base/Tasks.h"
+#include "../Boundary/InsideTest.h"
 #include "../Boundary/WholeCheck.h"
 #include "../Features/FeatureLines.h"
 #include "../Features/SizeCaps.h"
-#include "../Surface/NearestOnTriangle.h"
 #include "../Surface/SurfaceCrossings.h"
 #include "ExpectedVertices.h"
 
@@ -21,23 +21,6 @@ namespace biting
 
 namespace
 {
-
-/// The triangle of the input that is nearest to a place not far from `start`, and its distance.
-std::pair<Id, double> NearestBelow(
-  const SurfaceMesh& input, const BoxTree<SurfaceItem, 3>& tree, Id start, const Point3& place)
-{
-  const auto distanceOf = [&input, &place](Id triangle)
-  { return Distance(NearestPoint(input.Triangle(At(triangle)), place), place); };
-  std::pair<Id, double> nearest{ start, distanceOf(start) };
-  tree.Search(place, 1.0, nearest.second,
-    [&distanceOf, &nearest](const SurfaceItem& item, double limit)
-    {
-      const double distance = distanceOf(item.Triangle);
-      nearest = distance < limit ? std::make_pair(item.Triangle, distance) : nearest;
-      return std::min(limit, distance);
-    });
-  return nearest;
-}
 
 /// Of bites: vertices of the boundary, or of lines.
 std::vector<std::uint8_t> UsedBites(const SurfaceBites& bites, const SurfaceBoundary& boundary)
@@ -494,11 +477,10 @@ private:
             size += this->Bites.Sizes[bite] / 3.0;
             least = std::min(least, this->ShareAt(corners[slot]));
           }
-          isFar[t] = least > LeastFarShare &&
-              NearestBelow(this->Surface.Mesh, this->Tree, this->Boundary.Triangles[t], middle)
-                  .second > 2.0 * this->Options.BoundaryTolerance * size
-            ? 1
-            : 0;
+          const double most = 2.0 * this->Options.BoundaryTolerance * size;
+          const bool isNear =
+            NearestTriangle(this->Surface.Mesh, this->Tree, middle, most).first != NoId;
+          isFar[t] = least > LeastFarShare && !isNear ? 1 : 0;
         }
       });
     std::vector<Id> far;
@@ -536,10 +518,12 @@ void MeasureTriangle(const SurfaceMesh& input, const CertifiedSurface& certified
     middle = middle + (1.0 / 3.0) * mesh.Points[At(mesh.Corners[slot])];
     size += mesh.Spacing[At(mesh.Corners[slot])] / 3.0;
   }
-  const auto [nearest, least] = NearestBelow(input, certified.Tree,
-    certified.Ground.Mesh.Cells[At(certified.Bites.Triangles[At(mesh.Corners[3 * t])])], middle);
+  const Id start =
+    certified.Ground.Mesh.Cells[At(certified.Bites.Triangles[At(mesh.Corners[3 * t])])];
+  const double most = Distance(NearestPoint(input.Triangle(At(start)), middle), middle);
+  const auto [nearest, least] = NearestTriangle(input, certified.Tree, middle, most);
   mesh.Deviations[t] = least / size;
-  mesh.Triangles[t] = nearest;
+  mesh.Triangles[t] = nearest == NoId ? start : nearest;
   mesh.Regions[t] = options.Regions.empty() ? 0 : options.Regions[At(mesh.Triangles[t])];
 }
 

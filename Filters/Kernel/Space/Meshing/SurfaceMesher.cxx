@@ -27,7 +27,7 @@ std::vector<TriangleSides> SidesOf(const CheckedSurface& surface)
   return std::vector<TriangleSides>(isSolid ? triangles : 0, TriangleSides{ 1, 0 });
 }
 
-void Relax(const CertifiedSurface& certified, bool isWanted, BitingSurface& mesh, Pulse& pulse)
+RelaxedSurface Bitten(const CertifiedSurface& certified)
 {
   const SurfaceBites& bites = certified.Bites;
   RelaxedSurface relaxed{ bites.Centers, bites.Sizes, bites.Triangles, {}, {},
@@ -41,18 +41,35 @@ void Relax(const CertifiedSurface& certified, bool isWanted, BitingSurface& mesh
     const Id chain = bites.PieceChains[end / 2];
     relaxed.Chains[At(bite)] = bite < bites.NumberOfCorners ? NoId : chain;
   }
+  return relaxed;
+}
+
+/// Keeps of the ground what DescribeMesh asks for.
+void Release(SurfaceGround& ground)
+{
+  SurfaceGround kept;
+  kept.Chains = std::move(ground.Chains);
+  kept.Mesh.Cells = std::move(ground.Mesh.Cells);
+  kept.Mesh.PointIds = std::move(ground.Mesh.PointIds);
+  ground = std::move(kept);
+}
+
+void Relax(CertifiedSurface& certified, bool isWanted, BitingSurface& mesh, Pulse& pulse)
+{
+  RelaxedSurface relaxed = Bitten(certified);
   if (isWanted)
   {
-    RelaxedSurface given = relaxed;
-    RelaxSurface(certified.Ground, bites.PieceEnds, relaxed, pulse);
+    RelaxSurface(certified.Ground, certified.Bites.PieceEnds, relaxed, pulse);
+    Release(certified.Ground);
     if (CrossesItself(relaxed.Points, relaxed.Corners, pulse))
     {
-      relaxed = std::move(given); // facets of one triangulation cross nowhere
+      relaxed = Bitten(certified); // facets of one triangulation cross nowhere
     }
   }
   mesh.Points = std::move(relaxed.Points);
   mesh.Spacing = std::move(relaxed.Sizes);
   mesh.Corners = std::move(relaxed.Corners);
+  certified.Bites.Triangles = std::move(relaxed.Triangles);
 }
 
 BitingSurface MeshSurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
@@ -65,6 +82,8 @@ BitingSurface MeshSurface(const CheckedSurface& surface, const SurfaceMesherOpti
   if (CertifySurface(surface, options, SidesOf(surface), certified, problems, monitor))
   {
     monitor.BeginStage("Relaxing");
+    certified.Boundary.Sides = {};
+    certified.Boundary.BallCenters = {};
     Relax(certified, options.Relaxation, mesh, pulse);
     DescribeMesh(surface, certified, options, mesh, pulse);
   }

@@ -44,11 +44,9 @@ double WorstCosine(const Triangle& t)
   return middle > 0.0 ? 0.5 * (middle + most - least) / std::sqrt(middle * most) : 1.0;
 }
 
-Point3 UnitNormal(const Triangle& t)
+Point3 NormalOf(const Triangle& t)
 {
-  const Point3 normal = Cross(t[1] - t[0], t[2] - t[0]);
-  const double length = Length(normal);
-  return length > 0.0 ? (1.0 / length) * normal : Point3{};
+  return Cross(t[1] - t[0], t[2] - t[0]);
 }
 
 /// The other diagonal of two triangles (a, b, c) and (d, c, b): (a, b, d) and (d, c, a).
@@ -102,12 +100,17 @@ protected:
       3.0;
   }
 
+  /// Of the triangles at the edge of the slot (SurfaceFlip).
+  std::array<Id, 4> VerticesAt(std::size_t slot) const
+  {
+    return { this->Mesh.Corners[slot], this->Mesh.Corners[NextSlotOf(slot)],
+      this->Mesh.Corners[PreviousSlotOf(slot)], this->Mesh.Corners[At(this->Stars.Across(slot))] };
+  }
+
   SurfaceFlip FlipAt(std::size_t slot) const
   {
-    const auto other = At(this->Stars.Across(slot));
-    SurfaceFlip flip{ { this->Mesh.Corners[slot], this->Mesh.Corners[NextSlotOf(slot)],
-                        this->Mesh.Corners[PreviousSlotOf(slot)], this->Mesh.Corners[other] },
-      this->TriangleAt(slot), this->TriangleAt(other), {}, {} };
+    SurfaceFlip flip{ this->VerticesAt(slot), this->TriangleAt(slot),
+      this->TriangleAt(At(this->Stars.Across(slot))), {}, {} };
     flip.NewFirst = { flip.First[0], flip.First[1], flip.Second[0] };
     flip.NewSecond = { flip.Second[0], flip.First[2], flip.First[0] };
     return flip;
@@ -116,8 +119,7 @@ protected:
   bool MayFlip(std::size_t slot, const SurfaceFlip& flip) const
   {
     const auto [a, b, c, d] = flip.Vertices;
-    const Point3 old = UnitNormal(flip.First) + UnitNormal(flip.Second);
-    const Point3 mean = (1.0 / std::max(Length(old), 1e-300)) * old;
+    const Point3 mean = NormalOf(flip.First) + NormalOf(flip.Second);
     return this->Stars.Degree(b) > 3 && this->Stars.Degree(c) > 3 && !this->IsEdge(slot, a, d) &&
       this->Agrees(flip.NewFirst, { a, b, d }, mean) &&
       this->Agrees(flip.NewSecond, { d, c, a }, mean);
@@ -152,17 +154,17 @@ protected:
   }
 
   /// Whether a new triangle agrees with the ground under its free corners, and with the normal of
-  /// an old one there.
+  /// an old one there, of any length.
   bool Agrees(const Triangle& triangle, const std::array<Id, 3>& vertices, const Point3& old) const
   {
-    const Point3 normal = UnitNormal(triangle);
-    bool agrees = Dot(normal, old) > LeastAgreement;
+    const Point3 normal = NormalOf(triangle);
+    const double least = LeastAgreement * Length(normal);
+    bool agrees = Dot(normal, old) > least * Length(old);
     for (const Id vertex : vertices)
     {
       agrees = agrees &&
         (this->Mesh.IsFree[At(vertex)] == 0 ||
-          Dot(normal, this->Ground.NormalOf(At(this->Mesh.Triangles[At(vertex)]))) >
-            LeastAgreement);
+          Dot(normal, this->Ground.NormalOf(At(this->Mesh.Triangles[At(vertex)]))) > least);
     }
     return agrees;
   }
@@ -188,25 +190,28 @@ protected:
     {
       place = this->Places.Project(vertex, wanted);
     }
-    double before = 0.0;
     double after = 0.0;
-    bool agrees = true;
     for (const Id s : this->SlotsAt[vertex])
     {
-      const std::size_t slot = At(s);
-      Triangle t = this->TriangleAt(slot);
-      before = std::max(before, WorstCosine(t));
-      const Point3 normal = UnitNormal(t);
-      t[0] = place.Place;
-      after = std::max(after, WorstCosine(t));
-      agrees = agrees &&
-        this->Agrees(t,
-          { vertex, this->Mesh.Corners[NextSlotOf(slot)],
-            this->Mesh.Corners[PreviousSlotOf(slot)] },
-          normal);
+      const auto [own, next, previous] = this->TriangleAt(At(s));
+      after = std::max(after, WorstCosine({ place.Place, next, previous }));
     }
     constexpr double Better = 1e-9;
-    const bool isBetter = agrees && after < std::max(before - Better, good);
+    bool isBetter = after < good || after < this->WorstAt(vertex) - Better;
+    for (const Id s : this->SlotsAt[vertex])
+    {
+      if (!isBetter)
+      {
+        break;
+      }
+      const std::size_t slot = At(s);
+      Triangle t = this->TriangleAt(slot);
+      const Point3 normal = NormalOf(t);
+      t[0] = place.Place;
+      isBetter = this->Agrees(t,
+        { vertex, this->Mesh.Corners[NextSlotOf(slot)], this->Mesh.Corners[PreviousSlotOf(slot)] },
+        normal);
+    }
     this->Mesh.Points[At(vertex)] = place.Place;
     if (isBetter && (far == Infinity || this->IsNearer(vertex, far)))
     {
@@ -225,6 +230,17 @@ protected:
     this->Mesh.Points[At(vertex)] = oldPlace;
     this->Mesh.Triangles[At(vertex)] = oldTriangle;
     return false;
+  }
+
+  /// The worst cosine of the triangles at the vertex.
+  double WorstAt(Id vertex) const
+  {
+    double worst = 0.0;
+    for (const Id s : this->SlotsAt[vertex])
+    {
+      worst = std::max(worst, WorstCosine(this->TriangleAt(At(s))));
+    }
+    return worst;
   }
 
   /// Tries to move the corners of the triangle by the step, in f: free ones in twelve directions.
@@ -438,10 +454,15 @@ private:
 
   bool TryFlip(std::size_t slot, bool byDegrees)
   {
+    const Id gain = byDegrees ? this->GainOfDegrees(this->VerticesAt(slot)) : 0;
+    const double before = std::max(WorstCosine(this->TriangleAt(slot)),
+      WorstCosine(this->TriangleAt(At(this->Stars.Across(slot)))));
+    if (gain < 0 && before <= GoodCosine)
+    {
+      return false;
+    }
     const SurfaceFlip flip = this->FlipAt(slot);
-    const double before = flip.Before();
     const double after = flip.After();
-    const Id gain = byDegrees ? this->GainOfDegrees(flip.Vertices) : 0;
     constexpr double Better = 1e-6;
     constexpr double LeastForDegrees = 0.9063077870366499; // 25 degrees
     const bool isWanted =
