@@ -3,13 +3,14 @@
 
 #include "GridInterpolator.h"
 
+#include "../Base/BoxTree.h"
+#include "../Base/Numbers.h"
 #include "../Base/Tasks.h"
 
-#include <algorithm> // for min, max, any_of
+#include <algorithm> // for min, max, none_of
 #include <cmath>     // for isnan
 #include <cstdint>   // for marks
 #include <limits>    // for nodes that have no value yet
-#include <numeric>   // for iota
 #include <utility>   // for move
 
 namespace biting
@@ -17,119 +18,75 @@ namespace biting
 namespace
 {
 
-/// Gives holes the value of the nearest node. Two sweeps over the rows, up and down; in each, holes
-/// are offered the nearest nodes of their neighbors in the row before and on both sides.
-class HoleFilling
+/// A node of a grid that has a value.
+struct GivenNode
 {
-public:
-  explicit HoleFilling(const GridSource& grid)
-    : Grid(grid)
-    , Columns(grid.XNodes.size())
-    , Nearest(grid.Values.size(), None)
-  {
-  }
+  Point2 At;
+  double Value;
 
-  std::vector<double> Fill(Pulse& pulse)
-  {
-    const std::size_t rows = this->Grid.YNodes.size();
-    for (std::size_t node = 0; node < this->Nearest.size(); ++node)
-    {
-      this->Nearest[node] = std::isnan(this->Grid.Values[node]) ? None : node;
-    }
-    for (std::size_t row = 0; row < rows && pulse.Beat(this->Columns); ++row)
-    {
-      this->Sweep(row, row > 0 ? row - 1 : row);
-    }
-    for (std::size_t row = rows - 1; row > 0 && pulse.Beat(this->Columns); --row)
-    {
-      this->Sweep(row - 1, row);
-    }
-    std::vector<double> values(this->Nearest.size());
-    for (std::size_t node = 0; node < values.size() && !pulse.HasStopped(); ++node)
-    {
-      values[node] = this->Grid.Values[this->Nearest[node]];
-    }
-    return values;
-  }
-
-private:
-  static constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
-
-  void Sweep(std::size_t row, std::size_t before)
-  {
-    const std::size_t first = row * this->Columns;
-    const std::size_t last = this->Columns - 1;
-    for (std::size_t column = 0; column <= last; ++column)
-    {
-      const std::size_t left = column > 0 ? column - 1 : column;
-      for (const std::size_t from : { left, column, std::min(column + 1, last) })
-      {
-        this->Offer(from + before * this->Columns, first + column);
-      }
-      this->Offer(first + left, first + column);
-    }
-    for (std::size_t column = last; column > 0; --column)
-    {
-      this->Offer(first + column, first + column - 1);
-    }
-  }
-
-  void Offer(std::size_t from, std::size_t to)
-  {
-    const std::size_t offered = this->Nearest[from];
-    std::size_t& own = this->Nearest[to];
-    if (own != to && offered != None && offered != own &&
-      (own == None || this->Away(to, offered) < this->Away(to, own)))
-    {
-      own = offered;
-    }
-  }
-
-  double Away(std::size_t a, std::size_t b) const
-  {
-    return Length(Point2{ this->Grid.XNodes[a % Columns] - this->Grid.XNodes[b % Columns],
-      this->Grid.YNodes[a / Columns] - this->Grid.YNodes[b / Columns] });
-  }
-
-  const GridSource& Grid;
-  const std::size_t Columns;
-  std::vector<std::size_t> Nearest; ///< of each node, the given one whose value it takes
+  // For a BoxTree.
+  Box2 Box() const { return Box2::Around(this->At, this->At); }
+  double Least() const { return 0.0; }
 };
 
+/// With the value of the nearest node in each hole. A neighbor of that node is a hole, too: the one
+/// towards the hole is nearer.
 std::shared_ptr<const GridSource> WithoutHoles(
   const std::shared_ptr<const GridSource>& source, Pulse& pulse)
 {
   const std::vector<double>& values = source->Values;
-  return std::none_of(values.begin(), values.end(), [](double value) { return std::isnan(value); })
-    ? source
-    : std::make_shared<const GridSource>(
-        GridSource{ source->XNodes, source->YNodes, HoleFilling(*source).Fill(pulse) });
-}
-
-/// The nodes of an axis and their numbers: the first and the last one twice where they do not reach
-/// `low` and `high`, and two nodes at least.
-struct ReachingAxis
-{
-  std::vector<double> Nodes;
-  std::vector<std::size_t> Numbers;
-
-  ReachingAxis(const std::vector<double>& nodes, double low, double high)
-    : Nodes(nodes)
-    , Numbers(nodes.size())
+  if (std::none_of(values.begin(), values.end(), [](double value) { return std::isnan(value); }))
   {
-    std::iota(this->Numbers.begin(), this->Numbers.end(), 0);
-    if (low < nodes.front())
+    return source;
+  }
+  const std::size_t columns = source->XNodes.size();
+  const auto placeOf = [&source, columns](std::size_t node) {
+    return Point2{ source->XNodes[node % columns], source->YNodes[node / columns] };
+  };
+  const auto isHole = [&values](std::size_t node)
+  { return node < values.size() && std::isnan(values[node]); };
+  std::vector<GivenNode> given;
+  for (std::size_t node = 0; node < values.size() && pulse.Beat(1); ++node)
+  {
+    if (!isHole(node) &&
+      (isHole(node + 1) || isHole(node - 1) || isHole(node + columns) || isHole(node - columns)))
     {
-      this->Nodes.insert(this->Nodes.begin(), low);
-      this->Numbers.insert(this->Numbers.begin(), 0);
-    }
-    if (high > nodes.back() || this->Nodes.size() == 1)
-    {
-      this->Nodes.push_back(std::max(nodes.back(), high));
-      this->Numbers.push_back(nodes.size() - 1);
+      given.push_back({ placeOf(node), values[node] });
     }
   }
-};
+  const BoxTree<GivenNode> tree(std::move(given), pulse);
+  auto filled = std::make_shared<GridSource>(*source);
+  ForEachAtOnce(pulse, values.size(),
+    [&isHole, &placeOf, &tree, &filled](std::size_t node)
+    {
+      double nearest = isHole(node) ? Infinity : 0.0;
+      const Point2 place = placeOf(node);
+      tree.Search(place, 1.0, nearest,
+        [&place, &nearest, &filled, node](const GivenNode& other, double)
+        {
+          const double distance = Distance(place, other.At);
+          filled->Values[node] = distance < nearest ? other.Value : filled->Values[node];
+          nearest = std::min(distance, nearest);
+          return nearest;
+        });
+    });
+  return filled;
+}
+
+/// An axis whose first and last nodes are there twice where they do not reach `low` and `high`; two
+/// nodes at least.
+std::vector<double> ReachingAxis(std::vector<double> nodes, double low, double high)
+{
+  if (low < nodes.front())
+  {
+    nodes.insert(nodes.begin(), low);
+  }
+  if (high > nodes.back() || nodes.size() == 1)
+  {
+    nodes.push_back(std::max(nodes.back(), high));
+  }
+  return nodes;
+}
 
 /// The same spacing on a grid that reaches over `bounds`.
 std::shared_ptr<const GridSource> ReachingOver(
@@ -137,20 +94,23 @@ std::shared_ptr<const GridSource> ReachingOver(
 {
   const std::vector<double>& xs = source->XNodes;
   const std::vector<double>& ys = source->YNodes;
-  const ReachingAxis columns(xs, bounds.Low.X, bounds.High.X);
-  const ReachingAxis rows(ys, bounds.Low.Y, bounds.High.Y);
-  if (columns.Nodes.size() == xs.size() && rows.Nodes.size() == ys.size())
+  GridSource reaching{ ReachingAxis(xs, bounds.Low.X, bounds.High.X),
+    ReachingAxis(ys, bounds.Low.Y, bounds.High.Y), {} };
+  const std::size_t columns = reaching.XNodes.size();
+  const std::size_t rows = reaching.YNodes.size();
+  if (columns == xs.size() && rows == ys.size())
   {
     return source;
   }
-  GridSource reaching{ columns.Nodes, rows.Nodes, {} };
-  reaching.Values.reserve(columns.Nodes.size() * rows.Nodes.size());
-  for (const std::size_t row : rows.Numbers)
+  reaching.Values.reserve(columns * rows);
+  const std::size_t left = reaching.XNodes.front() < xs.front() ? 1 : 0;
+  const std::size_t below = reaching.YNodes.front() < ys.front() ? 1 : 0;
+  for (std::size_t node = 0; node < columns * rows; ++node)
   {
-    for (const std::size_t column : columns.Numbers)
-    {
-      reaching.Values.push_back(source->Values[column + row * xs.size()]);
-    }
+    const std::size_t column = std::max(node % columns, left) - left;
+    const std::size_t row = std::max(node / columns, below) - below;
+    reaching.Values.push_back(
+      source->Values[std::min(column, xs.size() - 1) + std::min(row, ys.size() - 1) * xs.size()]);
   }
   return std::make_shared<const GridSource>(std::move(reaching));
 }

@@ -10,13 +10,13 @@ namespace biting
 {
 
 /// The bilinear interpolant of a grid. Outside it is the nearest value of the border. A node whose
-/// value is NaN takes the value of the nearest node that has one: by vector propagation (after
-/// Danielsson 1980), which may choose either of two nodes at nearly the same distance.
+/// value is NaN takes the value of the nearest node that has one.
 class GridInterpolator : public Source
 {
 public:
   /// At least one value is given. Where the grid does not reach the border of `bounds` it gets a
-  /// row or column of nodes there. Linear in the number of nodes; incomplete if the pulse stops.
+  /// row or column of nodes there. Linear in the number of nodes, a search for each hole; incomplete
+  /// if the pulse stops.
   GridInterpolator(
     const std::shared_ptr<const GridSource>& source, const Box2& bounds, Pulse& pulse);
 
