@@ -57,9 +57,6 @@ Point3 OriginFor(const SurfaceMesh& mesh);
 
 void MovePoints(std::vector<Point3>& points, const Point3& way);
 
-/// Moves points of a surface with this OriginFor to where they are once moved there and back.
-void RoundPoints(std::vector<Point3>& points, const Point3& origin);
-
 /// Calls `make(surface, options, problems)`, which meshes a surface. A surface far from the origin
 /// is moved to it first, where roundings are smaller; `move(mesh, way)` moves the mesh back.
 template <typename Make, typename Move>
