@@ -294,8 +294,9 @@ std::string JudgeSurface(
   {
     return "volume " + std::to_string(volume) + " for " + std::to_string(figures.Volume);
   }
-  for (const std::string& wrong : { JudgeArrays(mesh, surface), JudgeTopology(mesh, checked.Mesh, isCut),
-         JudgeDistances(mesh, checked.Mesh, size, isCut) })
+  for (const std::string& wrong :
+    { JudgeArrays(mesh, surface), JudgeTopology(mesh, checked.Mesh, isCut),
+      JudgeDistances(mesh, checked.Mesh, size, isCut) })
   {
     if (!wrong.empty())
     {

@@ -32,8 +32,9 @@ struct CertifiedSurface
 
 /// Fills `result`, in rounds: where certificates fail, f is lowered or turning lines are given up.
 /// Where edges stay too sharp for f, facets may be turned and points of the surface be up to 1.44 f
-/// from the mesh, .94 f from a bite that is f / 2 from a vertex: the problem LostFeatures. Where facets are then farther from the surface than
-/// twice the tolerance, f is halved, in RoundsForFar rounds; a round that fails is taken back.
+/// from the mesh, .94 f from a bite that is f / 2 from a vertex: the problem LostFeatures. Where
+/// facets are then farther from the surface than twice the tolerance, f is halved, in RoundsForFar
+/// rounds; a round that fails is taken back.
 /// `sides`: of each triangle of the surface, the labels of space behind and in front; empty where
 /// it bounds nothing. False, with problems, where this fails or the monitor asks to stop.
 bool CertifySurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
