@@ -493,7 +493,7 @@ BitingBody MakeBitingBody(const CheckedSurface& surface, const BodyMesherOptions
   if (flat != NoId)
   {
     problems.Add({ ProblemCode::CheckFailed, {}, mesh.Points[At(mesh.Corners[4 * At(flat)])],
-      "a tetrahedron that is not positive" });
+      "a tetrahedron that is not positive; move surfaces that are far from the origin there" });
   }
   return MayGoOn(problems, pulse) ? std::move(mesh) : BitingBody();
 }
