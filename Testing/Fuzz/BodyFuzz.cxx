@@ -10,7 +10,7 @@
 // computes for longer than two minutes, which ends the run. Every 20th case is run twice, with one
 // and with four threads. The report has each kind of refusal, its count, and its smallest case;
 // `clean` are closed surfaces without anything that the check tells. With sanitizers: see
-// BitingFuzz.cxx.
+// SlowCase.cxx.
 
 #include "BodyOracle.h"
 #include "FuzzArguments.h"
@@ -23,12 +23,6 @@
 #include <iostream> // for the report
 #include <map>      // for refusals
 #include <string>   // for words
-
-/// As in BitingFuzz.cxx.
-extern "C" const char* __asan_default_options()
-{
-  return "malloc_context_size=0:quarantine_size_mb=16";
-}
 
 namespace biting
 {
