@@ -10,7 +10,7 @@
 // computes for longer than two minutes, which ends the run. Every 20th case is run twice, with one
 // and with four threads. The report has each kind of refusal, its count, and its smallest case;
 // `clean` are closed surfaces without anything that the check tells. With sanitizers: see
-// SlowCase.cxx.
+// BitingFuzz.cxx.
 
 #include "BodyOracle.h"
 #include "FuzzArguments.h"
