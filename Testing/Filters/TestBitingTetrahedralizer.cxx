@@ -317,7 +317,8 @@ TEST(BitingTetrahedralizer, MakesOneWallOfTwoWithOtherTrianglesAndTellsTheLabels
   EXPECT_EQ(range[0], 5.0);
   EXPECT_EQ(range[1], 7.0);
   EXPECT_NEAR(AreaOf(filter->GetBoundary()), 11.0, 1e-9); // the wall once
-  EXPECT_EQ(messages.Warnings.size(), 1u);
+  ASSERT_EQ(messages.Warnings.size(), 1u);
+  EXPECT_TRUE(Has(messages.Warnings[0], "were made alike"));
   EXPECT_TRUE(Has(filter->GetSummary(), "Duplicate triangles (3)"));
 }
 

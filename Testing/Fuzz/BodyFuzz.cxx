@@ -24,12 +24,6 @@
 #include <map>      // for refusals
 #include <string>   // for words
 
-/// As in BitingFuzz.cxx.
-extern "C" const char* __asan_default_options()
-{
-  return "malloc_context_size=0:quarantine_size_mb=16";
-}
-
 namespace biting
 {
 

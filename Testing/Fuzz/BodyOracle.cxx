@@ -163,17 +163,16 @@ std::string JudgeTopology(const BitingSurface& mesh, const SurfaceMesh& input, b
   const Topology topology = TopologyOf(mesh.Points.size(), mesh.Corners);
   if (topology.EulerNumbers != wanted.EulerNumbers)
   {
-    std::string text = "Euler numbers";
-    for (const int number : topology.EulerNumbers)
+    const auto list = [](const std::vector<int>& numbers)
     {
-      text += " " + std::to_string(number);
-    }
-    text += " for";
-    for (const int number : wanted.EulerNumbers)
-    {
-      text += " " + std::to_string(number);
-    }
-    return text;
+      std::string text;
+      for (const int number : numbers)
+      {
+        text += " " + std::to_string(number);
+      }
+      return text;
+    };
+    return "Euler numbers" + list(topology.EulerNumbers) + " for" + list(wanted.EulerNumbers);
   }
   // Fins that are far thinner than f may go, if that is told.
   if (!(isCut && wanted.Crowded > 0) &&

@@ -44,12 +44,6 @@ std::vector<double> Spread(
   return all;
 }
 
-void AddHistogram(const Histogram& histogram, const std::string& name, vtkTable* table)
-{
-  AddArray<vtkDoubleArray>(table->GetRowData(), name.c_str(), histogram.Centers);
-  AddArray<vtkDoubleArray>(table->GetRowData(), (name + "Percent").c_str(), histogram.Percents);
-}
-
 /// Nothing where there are none.
 void AddWarning(const char* what, const std::vector<Id>& triangles, const char* advice,
   const PlanarFaces& faces, std::vector<std::string>& warnings)
@@ -72,6 +66,14 @@ void AddWarning(const char* what, const std::vector<Id>& triangles, const char* 
 }
 
 } // namespace
+
+void AddHistogram(const std::vector<double>& values, double highest, int bins,
+  const std::string& name, vtkTable* table)
+{
+  const Histogram histogram = MakeHistogram(values, 0.0, highest, bins);
+  AddArray<vtkDoubleArray>(table->GetRowData(), name.c_str(), histogram.Centers);
+  AddArray<vtkDoubleArray>(table->GetRowData(), (name + "Percent").c_str(), histogram.Percents);
+}
 
 void WriteMeasures(const MeasuredMesh& mesh, vtkDataSet* input, vtkDataSet* output)
 {
@@ -108,13 +110,11 @@ void WriteMeasures(const MeasuredMesh& mesh, vtkDataSet* input, vtkDataSet* outp
 
 void WriteHistograms(const MeasuredMesh& mesh, int bins, vtkTable* output)
 {
-  AddHistogram(MakeHistogram(mesh.Angles, 0.0, HighestAngle, bins), "Angle", output);
+  AddHistogram(mesh.Angles, HighestAngle, bins, "Angle", output);
   if (mesh.HasSpacing)
   {
-    AddHistogram(
-      MakeHistogram(mesh.Quality.Conformity, 0.0, HighestConformity, bins), "Conformity", output);
-    AddHistogram(MakeHistogram(mesh.RelativeLengths, 0.0, HighestRelativeLength, bins),
-      "RelativeLength", output);
+    AddHistogram(mesh.Quality.Conformity, HighestConformity, bins, "Conformity", output);
+    AddHistogram(mesh.RelativeLengths, HighestRelativeLength, bins, "RelativeLength", output);
   }
 }
 

@@ -45,6 +45,10 @@ struct MeasuredMesh
 /// NaN at points and cells that are not of the mesh.
 void WriteMeasures(const MeasuredMesh& mesh, vtkDataSet* input, vtkDataSet* output);
 
+/// Adds the histogram of `values` from 0 to `highest` as two columns.
+void AddHistogram(const std::vector<double>& values, double highest, int bins,
+  const std::string& name, vtkTable* table);
+
 /// Histograms of the angles, and, with a spacing, of conformity and relative lengths.
 void WriteHistograms(const MeasuredMesh& mesh, int bins, vtkTable* output);
 

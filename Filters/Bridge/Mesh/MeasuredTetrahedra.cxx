@@ -5,10 +5,10 @@
 
 #include "../../Kernel/Base/Problem.h"
 #include "../../Kernel/Base/Pulse.h"
-#include "../../Kernel/Quality/Histogram.h"
 #include "../Data/ArrayFromVector.h"
 #include "../Data/Arrays.h"
 #include "../Data/Cells.h"
+#include "MeasuredMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -29,14 +29,6 @@ namespace
 {
 
 constexpr double Unmeasured = std::numeric_limits<double>::quiet_NaN();
-
-void AddPair(const std::vector<double>& values, double highest, int bins, const std::string& name,
-  vtkTable* table)
-{
-  const Histogram histogram = MakeHistogram(values, 0.0, highest, bins);
-  AddArray<vtkDoubleArray>(table->GetRowData(), name.c_str(), histogram.Centers);
-  AddArray<vtkDoubleArray>(table->GetRowData(), (name + "Percent").c_str(), histogram.Percents);
-}
 
 } // namespace
 
@@ -160,12 +152,12 @@ void MeasuredTetrahedra::Write(vtkDataSet* output)
 void MeasuredTetrahedra::WriteHistograms(int bins, vtkTable* histograms) const
 {
   constexpr double HighestDihedral = 180.0;
-  AddPair(this->Quality.DihedralAngles, HighestDihedral, bins, "DihedralAngle", histograms);
+  AddHistogram(this->Quality.DihedralAngles, HighestDihedral, bins, "DihedralAngle", histograms);
   if (!this->Spacing.empty())
   {
     constexpr double HighestLength = 3.0;
-    AddPair(this->Quality.Conformity, 1.0, bins, "Conformity", histograms);
-    AddPair(this->Quality.RelativeLengths, HighestLength, bins, "RelativeLength", histograms);
+    AddHistogram(this->Quality.Conformity, 1.0, bins, "Conformity", histograms);
+    AddHistogram(this->Quality.RelativeLengths, HighestLength, bins, "RelativeLength", histograms);
   }
 }
 

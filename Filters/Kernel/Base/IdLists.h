@@ -54,19 +54,6 @@ private:
   std::vector<Id> Items;
 };
 
-/// Of each owner, the places of `owners` that name it.
-inline IdLists PlacesByOwner(const std::vector<Id>& owners, std::size_t count)
-{
-  return { count,
-    [&owners](const auto& add)
-    {
-      for (std::size_t place = 0; place < owners.size(); ++place)
-      {
-        add(owners[place], static_cast<Id>(place));
-      }
-    } };
-}
-
 } // namespace biting
 
 #endif

@@ -40,14 +40,12 @@ ProblemGroup& ProblemList::GroupOf(ProblemCode code)
 
 std::int64_t ProblemList::Count(ProblemCode code) const
 {
+  std::int64_t count = 0;
   for (const ProblemGroup& group : this->Kinds)
   {
-    if (group.Code == code)
-    {
-      return group.Count;
-    }
+    count += group.Code == code ? group.Count : 0;
   }
-  return 0;
+  return count;
 }
 
 bool ProblemList::HasErrors() const
@@ -82,10 +80,7 @@ std::string Figure(double value, int digits)
 std::string FigureAbove(double value)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  std::ostringstream text;
-  text.precision(2);
-  text << std::ceil(value / unit) * unit;
-  return text.str();
+  return Figure(std::ceil(value / unit) * unit, 2);
 }
 
 } // namespace biting

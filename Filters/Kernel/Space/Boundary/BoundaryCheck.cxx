@@ -83,8 +83,8 @@ private:
 
   /// Follows the fan from each facet at the bite; all of them must come in one turn, but at corners
   /// without pieces, which are pinches of the surface. At a vertex of features that is asked of
-  /// solids only in all, and for other edges than pieces. Pieces that turn have two facets, pieces
-  /// of borders one.
+  /// solids only in all, and for other edges than pieces. Pieces that turn have two facets,
+  /// oriented alike, pieces of borders one.
   void CheckFan(Id bite)
   {
     const IdLists::List slots = this->FacetsAt[bite];
@@ -100,8 +100,8 @@ private:
         beside += this->Next(other) == this->Next(slot) ? 1 : 0;
       }
       const bool isPiece = this->IsPiece(bite, this->Next(slot));
-      if ((!isPiece && (before != 1 || beside != 1)) ||
-        (before + beside != 2 && this->IsAmong(this->Turning, bite, this->Next(slot))) ||
+      if (((before != 1 || beside != 1) &&
+            (!isPiece || this->IsAmong(this->Turning, bite, this->Next(slot)))) ||
         (before + beside != 1 && this->IsAmong(this->Borders, bite, this->Next(slot))))
       {
         this->Tell(BoundaryFault::NonManifold, bite, this->Next(slot));

@@ -9,6 +9,7 @@
 
 #include <algorithm>  // for count, min, max, rotate
 #include <array>      // for triangles
+#include <cmath>      // for sqrt
 #include <functional> // for less
 #include <utility>    // for pairs, move
 
@@ -250,6 +251,18 @@ private:
 
 } // namespace
 
+IdLists PlacesByOwner(const std::vector<Id>& owners, std::size_t count, std::size_t step)
+{
+  return { count,
+    [&owners, step](const auto& add)
+    {
+      for (std::size_t place = 0; place < owners.size(); ++place)
+      {
+        add(owners[place], static_cast<Id>(place / step));
+      }
+    } };
+}
+
 double SurfaceGround::LengthOf(Id chain) const
 {
   double length = 0.0;
@@ -335,6 +348,29 @@ bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3
   return true;
 }
 
+double LeastVertices(const SurfaceGround& ground)
+{
+  const FeatureChains& chains = ground.Chains;
+  double inside = 0.0;
+  double along = 0.0;
+  for (std::size_t t = 0; t < ground.Mesh.NumberOfTriangles(); ++t)
+  {
+    const double size = ground.SizeAt(static_cast<Id>(t), ground.Mesh.Middle(t));
+    inside += Length(ground.Mesh.Normal(t)) / (std::sqrt(3.0) * size * size);
+  }
+  for (Id chain = 0; chain < chains.Size(); ++chain)
+  {
+    for (Id k = chains.Begin(chain) + 1; k < chains.End(chain); ++k)
+    {
+      const std::size_t a = At(chains.At(k - 1));
+      const std::size_t b = At(chains.At(k));
+      along += 2.0 * Distance(ground.Mesh.Points[a], ground.Mesh.Points[b]) /
+        (ground.Sizes[a] + ground.Sizes[b]);
+    }
+  }
+  return std::max(inside, along);
+}
+
 void LinkGround(SurfaceGround& ground, Pulse& pulse)
 {
   const std::vector<Id>& corners = ground.Mesh.Corners;
@@ -345,14 +381,7 @@ void LinkGround(SurfaceGround& ground, Pulse& pulse)
     ground.Across[slot] = isInner ? ground.Across[slot] : NoId;
   }
   pulse.Ask();
-  ground.TrianglesAt = IdLists(ground.Mesh.Points.size(),
-    [&corners](const auto& add)
-    {
-      for (std::size_t slot = 0; slot < corners.size(); ++slot)
-      {
-        add(corners[slot], static_cast<Id>(slot / 3));
-      }
-    });
+  ground.TrianglesAt = PlacesByOwner(corners, ground.Mesh.Points.size(), 3);
 }
 
 } // namespace biting

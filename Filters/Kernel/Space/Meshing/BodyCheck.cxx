@@ -38,8 +38,9 @@ public:
     this->Verdict.CellsBehind.assign(this->Body.Facets.size() / 3, NoId);
     this->CheckSides();
     this->CheckPieces();
+    const auto begin = this->Body.Points.begin();
     if (this->Verdict.What.empty() &&
-      CrossesItself(this->BoundaryPoints(), this->Body.Facets, this->Beats))
+      CrossesItself({ begin, begin + this->Body.NumberOnBoundary }, this->Body.Facets, this->Beats))
     {
       this->Refuse("a boundary that crosses itself", this->Body.Facets[0]);
     }
@@ -56,12 +57,6 @@ private:
       this->Verdict.What = std::move(what);
       this->Verdict.Place = this->Body.Points[At(vertex)];
     }
-  }
-
-  std::vector<Point3> BoundaryPoints() const
-  {
-    const auto begin = this->Body.Points.begin();
-    return { begin, begin + this->Body.NumberOnBoundary };
   }
 
   /// The facets of tetrahedra: each is shared by two of one label, or it is a facet of the
@@ -93,7 +88,8 @@ private:
         this->Refuse("a boundary that is open", own[0]);
         continue;
       }
-      const std::array<Id, 3> given = this->FacetAt(facet);
+      const Id* corners = &this->Body.Facets[3 * At(facet)];
+      const std::array<Id, 3> given = LowestFirst(corners[0], corners[1], corners[2]);
       Id& tet = (given == own ? this->Verdict.CellsBehind : front)[At(facet)];
       const bool isTurned = given[0] == own[0] && given[1] == own[2] && given[2] == own[1];
       if (tet != NoId || (given != own && !isTurned))
@@ -115,12 +111,6 @@ private:
     const Id* own = &this->Body.Corners[4 * At(side / 4)];
     const auto& place = TetMesh::FacetCorners[side % 4];
     return LowestFirst(own[place[0]], own[place[1]], own[place[2]]);
-  }
-
-  std::array<Id, 3> FacetAt(Id facet) const
-  {
-    const Id* corners = &this->Body.Facets[3 * At(facet)];
-    return LowestFirst(corners[0], corners[1], corners[2]);
   }
 
   /// `front`: the tetrahedra in front of facets.
@@ -190,23 +180,17 @@ private:
           this->Body.Points[At(corners[3])] - a) /
         6.0;
     }
+    const std::vector<Id>& regions = this->Body.Regions;
     for (std::size_t label = 1; label < given.size(); ++label)
     {
       if (std::abs(volumes[label] - given[label]) > MostShare * std::abs(given[label]))
       {
+        const auto tet = std::find(regions.begin(), regions.end(), static_cast<Id>(label));
         this->Refuse("the mesh of this body has volume " + Figure(volumes[label]) + ", not " +
             Figure(given[label]),
-          this->VertexOf(static_cast<Id>(label)));
+          tet == regions.end() ? 0 : *(this->Body.Corners.begin() + 4 * (tet - regions.begin())));
       }
     }
-  }
-
-  Id VertexOf(Id label) const
-  {
-    const auto tet = std::find(this->Body.Regions.begin(), this->Body.Regions.end(), label);
-    return tet == this->Body.Regions.end()
-      ? 0
-      : this->Body.Corners[4 * static_cast<std::size_t>(tet - this->Body.Regions.begin())];
   }
 
   const CheckedSurface& Surface;

@@ -46,11 +46,7 @@ public:
     {
       mesh = this->Finish();
     }
-    if (this->Problems.HasErrors())
-    {
-      return {};
-    }
-    return mesh;
+    return this->Problems.HasErrors() ? BitingBody() : std::move(mesh);
   }
 
 private:
@@ -168,10 +164,12 @@ private:
     BodyBoundary boundary;
     boundary.Centers = bites.Centers;
     boundary.Sizes = bites.Sizes;
-    this->Weights.reserve(bites.Centers.size());
+    std::vector<double> sizes;
     for (Id bite = 0; bite < bites.Size(); ++bite)
     {
       this->Weights.push_back(bites.WeightOf(bite));
+      sizes.push_back(
+        this->Certified.Ground.SizeAt(bites.Triangles[At(bite)], bites.Centers[At(bite)]));
     }
     boundary.Weights = this->Weights;
     boundary.Facets = this->Certified.Boundary.Corners;
@@ -180,13 +178,6 @@ private:
       boundary.Balls.push_back(this->BallOf(facet));
     }
     boundary.IsInside = [&test](const Point3& place) { return test.LabelAt(place) != 0; };
-    std::vector<double> sizes;
-    sizes.reserve(bites.Centers.size());
-    for (Id bite = 0; bite < bites.Size(); ++bite)
-    {
-      sizes.push_back(
-        this->Certified.Ground.SizeAt(bites.Triangles[At(bite)], bites.Centers[At(bite)]));
-    }
     this->Spacing = BodySpacing(
       this->Certified.Spacing, bites.Centers, sizes, this->Options.Surface.Gradation, pulse);
     boundary.Spacing = this->Spacing;
@@ -197,7 +188,8 @@ private:
       this->Options.MaximumNumberOfBites > 0 ? left(this->Options.MaximumNumberOfBites) : most + 1;
     this->Inside = BiteInterior(
       boundary, this->Options.Shape, std::min(wanted, most), pulse, this->Options.BitingConstant);
-    RoundPoints(this->Inside.Centers, this->Options.Surface.Origin);
+    MovePoints(this->Inside.Centers, this->Options.Surface.Origin);
+    MovePoints(this->Inside.Centers, -1.0 * this->Options.Surface.Origin);
     this->IsCutShort = this->Inside.Centers.size() > wanted;
     return this->Inside.Centers.size() > most && !this->IsCutShort ? this->RefuseSize()
                                                                    : MayGoOn(this->Problems, pulse);
@@ -501,13 +493,9 @@ BitingBody MakeBitingBody(const CheckedSurface& surface, const BodyMesherOptions
   if (flat != NoId)
   {
     problems.Add({ ProblemCode::CheckFailed, {}, mesh.Points[At(mesh.Corners[4 * At(flat)])],
-      "a tetrahedron that is not positive" });
+      "a tetrahedron that is not positive; move surfaces that are far from the origin there" });
   }
-  if (!MayGoOn(problems, pulse))
-  {
-    return {};
-  }
-  return mesh;
+  return MayGoOn(problems, pulse) ? std::move(mesh) : BitingBody();
 }
 
 } // namespace biting

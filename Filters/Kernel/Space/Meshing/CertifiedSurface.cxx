@@ -121,7 +121,8 @@ private:
       this->RefuseSize();
       return;
     }
-    RoundPoints(this->Bites.Centers, this->Options.Origin);
+    MovePoints(this->Bites.Centers, this->Options.Origin);
+    MovePoints(this->Bites.Centers, -1.0 * this->Options.Origin);
     this->Boundary =
       FindBoundary(this->Surface.Mesh, this->Ground, this->Bites, this->Tree, this->Beats);
   }
@@ -227,7 +228,7 @@ private:
   bool FitsLimit()
   {
     constexpr double Surely = 1.5;
-    const double wanted = ExpectedVertices(this->Ground);
+    const double wanted = LeastVertices(this->Ground);
     const bool fits = wanted <= Surely * static_cast<double>(this->Options.MaximumNumberOfVertices);
     if (!fits)
     {
@@ -619,12 +620,6 @@ void MovePoints(std::vector<Point3>& points, const Point3& way)
   {
     point = point + way;
   }
-}
-
-void RoundPoints(std::vector<Point3>& points, const Point3& origin)
-{
-  MovePoints(points, origin);
-  MovePoints(points, -1.0 * origin);
 }
 
 } // namespace biting

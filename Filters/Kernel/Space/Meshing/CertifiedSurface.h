@@ -32,8 +32,9 @@ struct CertifiedSurface
 
 /// Fills `result`, in rounds: where certificates fail, f is lowered or turning lines are given up.
 /// Where edges stay too sharp for f, facets may be turned and points of the surface be up to 1.44 f
-/// from the mesh, .94 f from a bite that is f / 2 from a vertex: the problem LostFeatures. Where facets are then farther from the surface than
-/// twice the tolerance, f is halved, in RoundsForFar rounds; a round that fails is taken back.
+/// from the mesh, .94 f from a bite that is f / 2 from a vertex: the problem LostFeatures. Where
+/// facets are then farther from the surface than twice the tolerance, f is halved, in RoundsForFar
+/// rounds; a round that fails is taken back.
 /// `sides`: of each triangle of the surface, the labels of space behind and in front; empty where
 /// it bounds nothing. False, with problems, where this fails or the monitor asks to stop.
 bool CertifySurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
@@ -56,9 +57,6 @@ bool CrossesItself(const std::vector<Point3>& points, const std::vector<Id>& cor
 Point3 OriginFor(const SurfaceMesh& mesh);
 
 void MovePoints(std::vector<Point3>& points, const Point3& way);
-
-/// Moves points of a surface with this OriginFor to where they are once moved there and back.
-void RoundPoints(std::vector<Point3>& points, const Point3& origin);
 
 /// Calls `make(surface, options, problems)`, which meshes a surface. A surface far from the origin
 /// is moved to it first, where roundings are smaller; `move(mesh, way)` moves the mesh back.

@@ -4,7 +4,7 @@
 #ifndef BitingExpectedVertices_h
 #define BitingExpectedVertices_h
 
-#include "../Features/SurfaceGround.h"
+#include "../Surface/SurfaceMesh.h"
 
 #include <algorithm>  // for max, min
 #include <array>      // for corners
@@ -65,31 +65,6 @@ inline double ExpectedVertices(
     }
   }
   return sum;
-}
-
-/// The same of a ground with f as used, or the integral of 1 / f along its chains where that is
-/// more: no less than these but for rounding, as f is linear in triangles, and 1 / f^2 is convex.
-inline double ExpectedVertices(const SurfaceGround& ground)
-{
-  const FeatureChains& chains = ground.Chains;
-  double inside = 0.0;
-  double along = 0.0;
-  for (std::size_t t = 0; t < ground.Mesh.NumberOfTriangles(); ++t)
-  {
-    const double size = ground.SizeAt(static_cast<Id>(t), ground.Mesh.Middle(t));
-    inside += Length(ground.Mesh.Normal(t)) / (std::sqrt(3.0) * size * size);
-  }
-  for (Id chain = 0; chain < chains.Size(); ++chain)
-  {
-    for (Id k = chains.Begin(chain) + 1; k < chains.End(chain); ++k)
-    {
-      const std::size_t a = At(chains.At(k - 1));
-      const std::size_t b = At(chains.At(k));
-      along += 2.0 * Distance(ground.Mesh.Points[a], ground.Mesh.Points[b]) /
-        (ground.Sizes[a] + ground.Sizes[b]);
-    }
-  }
-  return std::max(inside, along);
 }
 
 } // namespace biting
