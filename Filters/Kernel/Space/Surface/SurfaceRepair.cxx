@@ -123,8 +123,8 @@ bool FlatFlips::HasEdge(std::size_t corner, Id vertex) const
   return has;
 }
 
-// Opposite the longest side; where two are equal but for rounding, of the vertex that is between the
-// others along a line: in its lexicographic order.
+// Opposite the longest side; where two are equal but for rounding, of the vertex that is between
+// the others along a line: in lexicographic order.
 std::size_t FlatFlips::MiddleSlot(std::size_t t) const
 {
   constexpr double Slack = 1.0 + 1e-14;
