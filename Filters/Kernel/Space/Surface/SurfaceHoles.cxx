@@ -9,7 +9,6 @@
 
 #include <algorithm> // for all_of, find_if, min, minmax, reverse, rotate
 #include <array>     // for triangles
-#include <cstdint>   // for marks
 #include <numeric>   // for iota
 #include <set>       // for edges
 #include <utility>   // for pairs
