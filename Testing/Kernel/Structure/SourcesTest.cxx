@@ -169,7 +169,7 @@ const std::map<std::string, Budget> Budgets = {
   { "Kernel/Space/Finishing", { 2550, 15 } },
   { "Kernel/Space/Meshing", { 2150, 14 } },
   { "Kernel/Space/Quality", { 400, 2 } },
-  { "Kernel/Space/Surface", { 3350, 20 } },
+  { "Kernel/Space/Surface", { 3400, 20 } },
 };
 
 bool IsAllowed(const std::string& from, const std::string& to)

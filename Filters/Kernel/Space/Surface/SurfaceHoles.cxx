@@ -9,7 +9,6 @@
 
 #include <algorithm> // for all_of, find_if, min, minmax, reverse, rotate
 #include <array>     // for triangles
-#include <cstdint>   // for marks
 #include <numeric>   // for iota
 #include <set>       // for edges
 #include <utility>   // for pairs
@@ -48,11 +47,8 @@ public:
     std::vector<std::size_t> beside = std::move(this->Beside);
     this->Begin(hole);
     std::array<std::size_t, 2> nearest{ 0, 0 };
-    // No place of a loop is farther from the first one than half of its length.
-    const double apart = Distance(this->Place(0), this->Mesh.Points[At(loop.front())]);
-    const double reach = 2.0 * this->Reach(this->Place(0)) + 0.5 * (hole.Length + other.Length);
     double least = Infinity;
-    for (std::size_t i = 0; i < this->Loop.size() && apart <= reach; ++i)
+    for (std::size_t i = 0; i < this->Loop.size(); ++i)
     {
       for (std::size_t j = 0; j < loop.size() && this->Beats.Beat(1); ++j)
       {
@@ -310,8 +306,17 @@ void CloseHoles(SurfaceMesh& mesh, SurfaceLinks& links, const SpacingField& reac
   }
   for (auto hole = left.begin(); hole != left.end(); ++hole)
   {
+    constexpr std::size_t MostPairs = 1000000;
+    const Point3 place = mesh.Points[At(hole->Vertices.front())];
+    const double near = 2.0 * reach(place);
     const auto other = std::find_if(hole + 1, left.end(),
-      [hole, &patches](const BorderChain& next) { return patches.CloseBetween(*hole, next); });
+      [&](const BorderChain& next)
+      {
+        // No place of a loop is farther from its first vertex than half of its length.
+        const double apart = Distance(place, mesh.Points[At(next.Vertices.front())]);
+        return pulse.Beat(1) && apart <= near + 0.5 * (hole->Length + next.Length) &&
+          hole->Slots.size() * next.Slots.size() <= MostPairs && patches.CloseBetween(*hole, next);
+      });
     if (other != left.end())
     {
       tell(*hole);

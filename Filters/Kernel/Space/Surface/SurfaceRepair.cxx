@@ -5,7 +5,7 @@
 
 #include "../../Predicates/Predicates.h"
 
-#include <algorithm> // for fill_n, find_if, is_permutation, max, min_element
+#include <algorithm> // for find_if, is_permutation, min_element
 #include <cstdint>   // for marks
 #include <numeric>   // for iota
 
@@ -91,6 +91,7 @@ public:
 
 private:
   bool Improve(std::size_t t);
+  std::size_t MiddleSlot(std::size_t t) const;
   void Leave(std::size_t middle);
   bool KeepsSides(std::size_t middle, std::size_t across) const;
   bool HasEdge(std::size_t corner, Id vertex) const;
@@ -122,19 +123,34 @@ bool FlatFlips::HasEdge(std::size_t corner, Id vertex) const
   return has;
 }
 
-// Whether the triangle went, or is no longer flat, or has shorter sides now.
-bool FlatFlips::Improve(std::size_t t)
+// Opposite the longest side; where two are equal but for rounding, of the vertex that is between
+// the others along a line: in lexicographic order.
+std::size_t FlatFlips::MiddleSlot(std::size_t t) const
 {
-  constexpr double Thin = 0.1; // the height at most, of the longest side
+  constexpr double Slack = 1.0 + 1e-14;
   std::size_t middle = 3 * t;
   double longest = 0.0;
   for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
   {
-    const double length =
-      Distance(this->Mesh.At(NextSlotOf(slot)), this->Mesh.At(PreviousSlotOf(slot)));
-    middle = length > longest ? slot : middle;
-    longest = std::max(length, longest);
+    const Point3& a = this->Mesh.At(NextSlotOf(slot));
+    const Point3& b = this->Mesh.At(slot);
+    const Point3& c = this->Mesh.At(PreviousSlotOf(slot));
+    const double length = Distance(a, c);
+    const bool isBetween = (a < b && b < c) || (c < b && b < a);
+    const bool isLonger = length > Slack * longest || (isBetween && Slack * length >= longest);
+    middle = isLonger ? slot : middle;
+    longest = isLonger ? length : longest;
   }
+  return middle;
+}
+
+// Whether the triangle went, or is no longer flat, or has shorter sides now.
+bool FlatFlips::Improve(std::size_t t)
+{
+  constexpr double Thin = 0.1; // the height at most, of the longest side
+  const std::size_t middle = this->MiddleSlot(t);
+  const double longest =
+    Distance(this->Mesh.At(NextSlotOf(middle)), this->Mesh.At(PreviousSlotOf(middle)));
   const Id across = this->Links.Across[middle];
   if (across == CrowdedEdge || Length(this->Mesh.Normal(t)) >= Thin * longest * longest)
   {
