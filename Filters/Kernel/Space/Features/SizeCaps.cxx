@@ -321,16 +321,32 @@ public:
   {
   }
 
-  /// Raises sizes to the least distance from the middle of t to a triangle whose normal differs by
+  /// Raises sizes from the middle of t and, where that is a cap and few triangles are nearer, from
+  /// the middles of its quarters at corners: the largest radius around counts, and in coarse
+  /// triangles few places would be tried.
+  void Raise(std::size_t t, double most, std::vector<double>& sizes)
+  {
+    constexpr std::size_t Few = 256;
+    const Point3 middle = this->Mesh.Middle(t);
+    bool isCoarse = this->RaiseFrom(t, middle, most, sizes) && this->Front.size() < Few;
+    for (std::size_t slot = 3 * t; slot < 3 * t + 3 && isCoarse; ++slot)
+    {
+      isCoarse = this->RaiseFrom(t, Midpoint(this->Mesh.At(slot), middle), most, sizes);
+    }
+  }
+
+private:
+  static constexpr double MostTurn = 0.75; ///< of neighbors; more is a feature: above 44 degrees
+
+  /// Raises sizes to the least distance from a place of t to a triangle whose normal differs by
   /// more than Turn, to which a way leads over nearer triangles and over no feature; to infinity
   /// where that is `most` or more. Those of all triangles with their middles in the ball of that
   /// radius: at an edge where faces turn the cap is the width of the faces, in however small
-  /// triangles.
-  void Raise(std::size_t t, double most, std::vector<double>& sizes)
+  /// triangles. Whether it is less than `most`.
+  bool RaiseFrom(std::size_t t, const Point3& place, double most, std::vector<double>& sizes)
   {
     double best = most;
-    const Point3 middle = this->Mesh.Middle(t);
-    this->Seen[t] = static_cast<Id>(t);
+    this->Seen[t] = ++this->Searches;
     this->Front.assign(1, static_cast<Id>(t));
     std::size_t next = 0;
     while (next < this->Front.size()) // it grows
@@ -339,17 +355,17 @@ public:
       for (std::size_t slot = 3 * from; slot < 3 * from + 3; ++slot)
       {
         const Id across = this->Links.Across[slot];
-        if (across < 0 || this->Seen[At(across / 3)] == static_cast<Id>(t))
+        if (across < 0 || this->Seen[At(across / 3)] == this->Searches)
         {
           continue;
         }
         const std::size_t other = At(across / 3);
-        const double distance = this->DistanceTo(other, middle);
+        const double distance = this->DistanceTo(other, place);
         if (distance >= best || this->Differ(from, other, MostTurn))
         {
           continue;
         }
-        this->Seen[other] = static_cast<Id>(t);
+        this->Seen[other] = this->Searches;
         if (this->Differ(t, other, this->Turn))
         {
           best = distance;
@@ -362,16 +378,14 @@ public:
     }
     for (const Id other : this->Front)
     {
-      if (Distance(this->Mesh.Middle(At(other)), middle) < best)
+      if (Distance(this->Mesh.Middle(At(other)), place) < best)
       {
         double& size = sizes[At(other)];
         size = std::max(size, best < most ? best : Infinity);
       }
     }
+    return best < most;
   }
-
-private:
-  static constexpr double MostTurn = 0.75; ///< of neighbors; more is a feature: above 44 degrees
 
   /// To its nearest place, and a sixth of its height on: from the middle of the half of a strip of
   /// width s that is s / 2 then, as it is from the middle of the strip in the limit of small
@@ -394,7 +408,8 @@ private:
   SurfaceLinks Links;
   const std::vector<Point3>& Normals;
   double Turn;
-  std::vector<Id> Seen; ///< the triangle that was asked for last when it was seen
+  std::vector<Id> Seen; ///< the search that saw it last
+  Id Searches = 0;
   std::vector<Id> Front;
 };
 
