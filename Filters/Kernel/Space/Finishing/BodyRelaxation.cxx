@@ -21,6 +21,7 @@ namespace
 
 /// Badness (TetShape): the square of the cosine of the smallest angle.
 constexpr double At30 = 0.7499; // a bit more
+constexpr double At31 = 0.7347368398357183;
 constexpr double At35 = 0.6710100716628343;
 constexpr double At38 = 0.6209609477998338;
 constexpr double At45 = 0.5;
@@ -36,7 +37,7 @@ public:
     , Moves(this->Tets, this->Normals, f)
     , Edges(this->Tets, this->Normals)
     , Beats(pulse)
-    , TrialsLeft(MostTrials(body))
+    , TrialsLeft(300 + this->Tets.Mesh.NumberOfSlots() / 64) // beyond few that are used
   {
   }
 
@@ -81,13 +82,6 @@ public:
   }
 
 private:
-  static Id MostTrials(const RelaxedBody& body)
-  {
-    constexpr Id Least = 1000;
-    constexpr Id Share = 32;
-    return Least + static_cast<Id>(body.Regions.size()) / Share;
-  }
-
   bool GoOn(double fraction)
   {
     this->Beats.SetFraction(fraction);
@@ -161,17 +155,21 @@ private:
     std::vector<std::pair<double, Id>> bad;
     for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots(); ++cell)
     {
-      if (this->IsBad(cell, At30))
+      if (this->IsBad(cell, At30) && !this->IsSharp(cell))
       {
         bad.push_back({ -this->Tets.Badness[At(cell)], cell });
       }
     }
     std::sort(bad.begin(), bad.end());
     bool isChanged = false;
+    this->Rounds.resize(this->Tets.Mesh.Points.size(), 0);
     for (const auto& [badness, cell] : bad)
     {
-      const bool isSame = this->IsBad(cell, At30) && -this->Tets.Badness[At(cell)] == badness;
-      if (isSame && this->IsChangedSince(cell, round) && this->Beats.Ask() && this->TryAt(cell))
+      const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+      const auto isNew = [this, round](Id vertex) { return this->Rounds[At(vertex)] >= round; };
+      if (this->IsBad(cell, At30) && -this->Tets.Badness[At(cell)] == badness &&
+        std::any_of(corners.begin(), corners.end(), isNew) && this->Beats.Ask() &&
+        this->TryAt(cell))
       {
         isChanged = true;
         this->Rounds.resize(this->Tets.Mesh.Points.size(), 0);
@@ -184,22 +182,33 @@ private:
     return isChanged;
   }
 
-  bool IsChangedSince(Id cell, Id round)
+  /// Whether the surface itself has an angle below 25 degrees at an edge of the cell.
+  bool IsSharp(Id cell) const
   {
-    this->Rounds.resize(this->Tets.Mesh.Points.size(), 0);
-    const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
-    return std::any_of(corners.begin(), corners.end(),
-      [this, round](Id vertex) { return this->Rounds[At(vertex)] >= round; });
+    constexpr double Cosine = 0.9063077870366499;
+    bool isSharp = false;
+    for (std::size_t edge = 0; edge < 6 && !isSharp; ++edge)
+    {
+      const auto [a, b, p, q] = this->Edges.CornersFrom(cell, edge);
+      const Point3& at = this->Tets.Mesh.PointAt(a);
+      const Point3 along = this->Tets.Mesh.PointAt(b) - at;
+      const Point3 m = Cross(along, this->Tets.Mesh.PointAt(p) - at);
+      const Point3 n = Cross(along, this->Tets.Mesh.PointAt(q) - at);
+      isSharp = Dot(m, n) > Cosine * Length(m) * Length(n) &&
+        this->Tets.Lines.Between(a, b) != NoId &&
+        this->Tets.RecordOf(this->Tets.SlotOf(cell, p)) >= 0 &&
+        this->Tets.RecordOf(this->Tets.SlotOf(cell, q)) >= 0;
+    }
+    return isSharp;
   }
 
-  /// Tries steps that make cells worse, and what can be made of that: at the cell, then at those
-  /// that have three and two corners of it.
+  /// Tries steps that make cells worse, and what can be made of that: at the edges of the cell,
+  /// then of those that have three and two corners of it.
   bool TryAt(Id cell)
   {
     const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
     const std::vector<Id> near = this->CellsAt(corners);
-    const double before = this->Tets.Badness[At(cell)];
-    std::set<BodyTets::Tetrahedron> done;
+    std::set<std::pair<Id, Id>> tried;
     for (std::ptrdiff_t common = 4; common >= 2; --common)
     {
       for (const Id other : near)
@@ -208,11 +217,16 @@ private:
         const auto isCorner = [&corners](Id vertex)
         { return std::find(corners.begin(), corners.end(), vertex) != corners.end(); };
         const bool isNow = std::count_if(own.begin(), own.end(), isCorner) == common;
-        for (std::size_t step = 0; isNow && step<NumberOfSteps&& this->TrialsLeft> 0; ++step)
+        for (std::size_t edge = 0; isNow && edge < 6; ++edge)
         {
-          if (done.insert(KeyOf(own, step)).second && this->Try(other, step, before))
+          const BodyTets::Tetrahedron ends = this->Edges.CornersFrom(other, edge);
+          const bool isNew = tried.insert(std::minmax(ends[0], ends[1])).second;
+          for (int step = 0; step < 4 && isNew && this->TrialsLeft > 0; ++step)
           {
-            return true;
+            if (!this->Beats.HasStopped() && this->Try(cell, other, edge, step))
+            {
+              return true;
+            }
           }
         }
       }
@@ -220,68 +234,38 @@ private:
     return false;
   }
 
-  /// Steps at a cell: to remove its edges; to split them; to flip its facets; to merge its corners.
-  static constexpr std::size_t NumberOfSteps = 28;
-  static constexpr std::size_t EdgeCorners[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 },
-    { 1, 3 }, { 2, 3 } };
-
-  /// Is the same for the same step at another cell.
-  static BodyTets::Tetrahedron KeyOf(const BodyTets::Tetrahedron& c, std::size_t step)
+  bool Do(Id cell, std::size_t edge, int step)
   {
-    BodyTets::Tetrahedron key{ NoId, NoId, NoId, step < 6 ? 0 : step < 12 ? 1 : 2 };
-    if (step < 12)
-    {
-      key[0] = c[EdgeCorners[step % 6][0]];
-      key[1] = c[EdgeCorners[step % 6][1]];
-    }
-    else if (step < 16)
-    {
-      std::copy_if(c.begin(), c.end(), key.begin(),
-        [&c, step](const Id& vertex) { return &vertex != &c[step - 12]; });
-    }
-    else
-    {
-      return { c[(step - 16) / 3], c[((step - 16) / 3 + 1 + step % 3) % 4], NoId, 3 };
-    }
-    std::sort(key.begin(), key.begin() + 3);
-    return key;
+    const Id a = this->Edges.CornersFrom(cell, edge)[0];
+    const Id b = this->Edges.CornersFrom(cell, edge)[1];
+    return step == 0 ? this->Edges.Remove(cell, edge)
+      : step == 1    ? this->Edges.Split(cell, edge)
+                     : this->Moves.Merge(step == 2 ? a : b, step == 2 ? b : a);
   }
 
-  bool Do(Id cell, std::size_t step)
+  /// Does a step at an edge of `other`, and improves what is near. Takes all back where the cell, or
+  /// one that changed, is not better than the cell was.
+  bool Try(Id cell, Id other, std::size_t edge, int step)
   {
-    if (step < 12)
-    {
-      return step < 6 ? this->Edges.Remove(cell, step) : this->Edges.Split(cell, step - 6);
-    }
-    if (step < 16)
-    {
-      return this->Edges.Flip(4 * cell + static_cast<Id>(step - 12));
-    }
-    const BodyTets::Tetrahedron c = this->Tets.CornersOf(cell);
-    return this->Moves.Merge(c[(step - 16) / 3], c[((step - 16) / 3 + 1 + step % 3) % 4]);
-  }
-
-  /// Does the step, and improves what is near. Takes all back where a cell that changed is not
-  /// better than `before` then.
-  bool Try(Id cell, std::size_t step, double before)
-  {
-    constexpr int Rounds = 3;
+    constexpr int MostRounds = 3;
+    const double limit = this->Tets.Badness[At(cell)] - LeastGain;
     std::vector<CellChange> log;
     this->Tets.Log = &log;
     this->Tets.IsTrial = true;
-    bool goes = this->Do(cell, step);
+    bool goes = this->Do(other, edge, step);
     this->Tets.IsTrial = false;
     if (goes)
     {
       --this->TrialsLeft;
-      for (int round = 0; round < Rounds; ++round)
+      for (int round = 0; round < MostRounds; ++round)
       {
         this->FindReached();
-        this->ImproveAll(this->CellsAt(this->Reached), At35);
+        this->ImproveAll(this->CellsAt(this->Reached), At31);
       }
       const std::vector<Id> changed = this->FindReached();
-      goes = std::all_of(changed.begin(), changed.end(),
-        [this, before](Id c) { return this->Tets.Badness[At(c)] < before - LeastGain; });
+      const auto isBetter = [this, limit](Id c)
+      { return this->Tets.Mesh.IsFree(c) || this->Tets.Badness[At(c)] < limit; };
+      goes = isBetter(cell) && std::all_of(changed.begin(), changed.end(), isBetter);
       if (!goes)
       {
         this->Moves.TakeBack();

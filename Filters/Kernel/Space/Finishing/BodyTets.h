@@ -43,13 +43,16 @@ public:
   };
 
   /// A vertex of no cell as yet.
-  Id AddVertex(Kind kind, const Point3& place, double size);
+  Id AddVertex();
 
   /// A record for a part of the facet of another one.
   Id AddRecord(Id other);
 
   /// The slots of the vertex in its cells. Good until the next call.
   const std::vector<Id>& StarOf(Id vertex);
+
+  /// Of the facets with records at the vertex, one slot each.
+  std::vector<Id> FacetsAt(Id vertex);
 
   Id VertexAt(Id slot) const { return this->Mesh.Corners[At(slot)]; }
   const Point3& PointOf(Id slot) const { return this->Mesh.PointAt(this->VertexAt(slot)); }
