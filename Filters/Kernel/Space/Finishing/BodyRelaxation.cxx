@@ -27,10 +27,11 @@ constexpr double At38 = 0.6209609477998338;
 constexpr double At45 = 0.5;
 constexpr double At1 = 0.9996954135095479;
 
-class BodyRelaxer
+/// A body that is relaxed, and trials of changes.
+class BodyTrials
 {
-public:
-  BodyRelaxer(const SurfaceGround& ground, const std::function<double(const Point3&)>& f,
+protected:
+  BodyTrials(const SurfaceGround& ground, const std::function<double(const Point3&)>& f,
     RelaxedBody& body, Pulse& pulse)
     : Tets(body, pulse)
     , Normals(ground, this->Tets)
@@ -41,111 +42,9 @@ public:
   {
   }
 
-  void Run()
-  {
-    constexpr int Sweeps = 4;
-    constexpr int Rounds = 8;
-    this->MergeThinFacets();
-    for (int sweep = 0; sweep < Sweeps && this->GoOn(0.15 * sweep); ++sweep)
-    {
-      this->SmoothAll();
-      this->ChangeBad(At35);
-    }
-    bool isChanged = true;
-    for (int round = 0; round < Rounds && isChanged && this->GoOn(0.6 + 0.03 * round); ++round)
-    {
-      isChanged = this->MoveBad(At35);
-      isChanged = this->ChangeBad(At38) || isChanged;
-    }
-    isChanged = true;
-    for (int round = 0; round < Rounds && isChanged && this->GoOn(0.84 + 0.01 * round); ++round)
-    {
-      isChanged = this->LoosenWorst(At30);
-    }
-    isChanged = true;
-    for (Id round = 0; round < Rounds && isChanged && this->GoOn(0.92 + 0.01 * round); ++round)
-    {
-      isChanged = this->TryWorst(round);
-    }
-    this->Tets.GiveBack();
-  }
-
-  void RemoveFlat()
-  {
-    constexpr int Rounds = 4;
-    bool isChanged = true;
-    for (int round = 0; round < Rounds && isChanged && this->Beats.Ask(); ++round)
-    {
-      isChanged = this->ChangeBad(At1);
-    }
-    this->Tets.GiveBack();
-  }
-
-private:
-  bool GoOn(double fraction)
-  {
-    this->Beats.SetFraction(fraction);
-    return this->Beats.Ask();
-  }
-
-  void SmoothAll()
-  {
-    for (Id vertex = this->Tets.Body.NumberOnLines;
-         vertex < this->Tets.Mesh.NumberOfVertices() && this->Beats.Beat(64); ++vertex)
-    {
-      this->Moves.Smooth(vertex, At35);
-    }
-  }
-
   bool IsBad(Id cell, double limit) const
   {
     return !this->Tets.Mesh.IsFree(cell) && this->Tets.Badness[At(cell)] > limit;
-  }
-
-  bool ChangeBad(double limit)
-  {
-    bool isChanged = false;
-    for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots() && !this->Beats.HasStopped(); ++cell)
-    {
-      if (this->IsBad(cell, limit) && this->Beats.Beat(128))
-      {
-        isChanged = this->Edges.Improve(cell) || isChanged;
-      }
-    }
-    return isChanged;
-  }
-
-  bool MoveBad(double limit)
-  {
-    bool isMoved = false;
-    for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots() && !this->Beats.HasStopped(); ++cell)
-    {
-      isMoved = this->MoveCorners(cell, limit) || isMoved;
-    }
-    return isMoved;
-  }
-
-  /// Makes room about the worst cells: those near them get better than they need to be, or
-  /// there is a vertex less, or one more. Cells that this adds wait for the next round: each may be
-  /// nearly as bad as its parent, and be split as well.
-  bool LoosenWorst(double limit)
-  {
-    bool isChanged = false;
-    const Id slots = this->Tets.Mesh.NumberOfSlots();
-    for (Id cell = 0; cell < slots && !this->Beats.HasStopped(); ++cell)
-    {
-      const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
-      isChanged =
-        (this->IsBad(cell, limit) && this->ImproveAll(this->CellsAt(corners), At45)) || isChanged;
-      isChanged = (this->IsBad(cell, limit) && this->MergeAny(corners)) || isChanged;
-      bool isSplit = false;
-      for (std::size_t edge = 0; edge < 6 && !isSplit && this->IsBad(cell, limit); ++edge)
-      {
-        isSplit = this->Edges.Split(cell, edge);
-      }
-      isChanged = isSplit || isChanged;
-    }
-    return isChanged;
   }
 
   /// Tries all cells that are still bad, the worst first; after the first round those near which
@@ -243,8 +142,8 @@ private:
                      : this->Moves.Merge(step == 2 ? a : b, step == 2 ? b : a);
   }
 
-  /// Does a step at an edge of `other`, and improves what is near. Takes all back where the cell, or
-  /// one that changed, is not better than the cell was.
+  /// Does a step at an edge of `other`, and improves what is near. Takes all back where the cell,
+  /// or one that changed, is not better than the cell was.
   bool Try(Id cell, Id other, std::size_t edge, int step)
   {
     constexpr int MostRounds = 3;
@@ -300,10 +199,170 @@ private:
     return changed;
   }
 
+  /// The cells of the vertices.
+  template <typename Vertices>
+  std::vector<Id> CellsAt(const Vertices& vertices)
+  {
+    std::vector<Id> cells;
+    for (const Id vertex : vertices)
+    {
+      for (const Id slot : this->Tets.StarOf(vertex))
+      {
+        cells.push_back(slot >> 2);
+      }
+    }
+    SortUnique(cells);
+    return cells;
+  }
+
+  bool ImproveAll(const std::vector<Id>& cells, double limit)
+  {
+    bool isChanged = false;
+    for (const Id cell : cells)
+    {
+      isChanged = this->MoveCorners(cell, limit) || isChanged;
+      isChanged = (this->IsBad(cell, limit) && this->Edges.Improve(cell)) || isChanged;
+    }
+    return isChanged;
+  }
+
+  bool MoveCorners(Id cell, double limit)
+  {
+    bool isMoved = false;
+    for (Id slot = 4 * cell; slot < 4 * cell + 4 && this->IsBad(cell, limit); ++slot)
+    {
+      this->Beats.Beat(256);
+      isMoved = this->Moves.Improve(this->Tets.VertexAt(slot), limit) || isMoved;
+    }
+    return isMoved;
+  }
+
   static void SortUnique(std::vector<Id>& list)
   {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+
+  BodyTets Tets;
+  GroundNormals Normals;
+  VertexMoves Moves;
+  EdgeRemoval Edges;
+  Pulse& Beats;
+  std::vector<Id> Reached; ///< vertices
+  std::vector<Id> Rounds;  ///< of vertices: one more than the last in which a trial changed them
+  Id TrialsLeft;
+};
+
+/// The order of the steps.
+class BodyRelaxer : private BodyTrials
+{
+public:
+  BodyRelaxer(const SurfaceGround& ground, const std::function<double(const Point3&)>& f,
+    RelaxedBody& body, Pulse& pulse)
+    : BodyTrials(ground, f, body, pulse)
+  {
+  }
+
+  void Run()
+  {
+    constexpr int Sweeps = 4;
+    constexpr int Rounds = 8;
+    this->MergeThinFacets();
+    for (int sweep = 0; sweep < Sweeps && this->GoOn(0.15 * sweep); ++sweep)
+    {
+      this->SmoothAll();
+      this->ChangeBad(At35);
+    }
+    bool isChanged = true;
+    for (int round = 0; round < Rounds && isChanged && this->GoOn(0.6 + 0.03 * round); ++round)
+    {
+      isChanged = this->MoveBad(At35);
+      isChanged = this->ChangeBad(At38) || isChanged;
+    }
+    isChanged = true;
+    for (int round = 0; round < Rounds && isChanged && this->GoOn(0.84 + 0.01 * round); ++round)
+    {
+      isChanged = this->LoosenWorst(At30);
+    }
+    isChanged = true;
+    for (Id round = 0; round < Rounds && isChanged && this->GoOn(0.92 + 0.01 * round); ++round)
+    {
+      isChanged = this->TryWorst(round);
+    }
+    this->Tets.GiveBack();
+  }
+
+  void RemoveFlat()
+  {
+    constexpr int Rounds = 4;
+    bool isChanged = true;
+    for (int round = 0; round < Rounds && isChanged && this->Beats.Ask(); ++round)
+    {
+      isChanged = this->ChangeBad(At1);
+    }
+    this->Tets.GiveBack();
+  }
+
+private:
+  bool GoOn(double fraction)
+  {
+    this->Beats.SetFraction(fraction);
+    return this->Beats.Ask();
+  }
+
+  void SmoothAll()
+  {
+    for (Id vertex = this->Tets.Body.NumberOnLines;
+         vertex < this->Tets.Mesh.NumberOfVertices() && this->Beats.Beat(64); ++vertex)
+    {
+      this->Moves.Smooth(vertex, At35);
+    }
+  }
+
+  bool ChangeBad(double limit)
+  {
+    bool isChanged = false;
+    for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots() && !this->Beats.HasStopped(); ++cell)
+    {
+      if (this->IsBad(cell, limit) && this->Beats.Beat(128))
+      {
+        isChanged = this->Edges.Improve(cell) || isChanged;
+      }
+    }
+    return isChanged;
+  }
+
+  bool MoveBad(double limit)
+  {
+    bool isMoved = false;
+    for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots() && !this->Beats.HasStopped(); ++cell)
+    {
+      isMoved = this->MoveCorners(cell, limit) || isMoved;
+    }
+    return isMoved;
+  }
+
+  /// Makes room about the worst cells: those near them get better than they need to be, or
+  /// there is a vertex less, or one more. Cells that this adds wait for the next round: each may be
+  /// nearly as bad as its parent, and be split as well.
+  bool LoosenWorst(double limit)
+  {
+    bool isChanged = false;
+    const Id slots = this->Tets.Mesh.NumberOfSlots();
+    for (Id cell = 0; cell < slots && !this->Beats.HasStopped(); ++cell)
+    {
+      const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+      isChanged =
+        (this->IsBad(cell, limit) && this->ImproveAll(this->CellsAt(corners), At45)) || isChanged;
+      isChanged = (this->IsBad(cell, limit) && this->MergeAny(corners)) || isChanged;
+      bool isSplit = false;
+      for (std::size_t edge = 0; edge < 6 && !isSplit && this->IsBad(cell, limit); ++edge)
+      {
+        isSplit = this->Edges.Split(cell, edge);
+      }
+      isChanged = isSplit || isChanged;
+    }
+    return isChanged;
   }
 
   /// Merges vertices of thin facets of the boundary while there are slivers, which tetrahedra at
@@ -354,53 +413,6 @@ private:
     }
     return false;
   }
-
-  /// The cells of the vertices.
-  template <typename Vertices>
-  std::vector<Id> CellsAt(const Vertices& vertices)
-  {
-    std::vector<Id> cells;
-    for (const Id vertex : vertices)
-    {
-      for (const Id slot : this->Tets.StarOf(vertex))
-      {
-        cells.push_back(slot >> 2);
-      }
-    }
-    SortUnique(cells);
-    return cells;
-  }
-
-  bool ImproveAll(const std::vector<Id>& cells, double limit)
-  {
-    bool isChanged = false;
-    for (const Id cell : cells)
-    {
-      isChanged = this->MoveCorners(cell, limit) || isChanged;
-      isChanged = (this->IsBad(cell, limit) && this->Edges.Improve(cell)) || isChanged;
-    }
-    return isChanged;
-  }
-
-  bool MoveCorners(Id cell, double limit)
-  {
-    bool isMoved = false;
-    for (Id slot = 4 * cell; slot < 4 * cell + 4 && this->IsBad(cell, limit); ++slot)
-    {
-      this->Beats.Beat(256);
-      isMoved = this->Moves.Improve(this->Tets.VertexAt(slot), limit) || isMoved;
-    }
-    return isMoved;
-  }
-
-  BodyTets Tets;
-  GroundNormals Normals;
-  VertexMoves Moves;
-  EdgeRemoval Edges;
-  Pulse& Beats;
-  std::vector<Id> Reached; ///< vertices
-  std::vector<Id> Rounds;  ///< of vertices: one more than the last in which a trial changed them
-  Id TrialsLeft;
 };
 
 } // namespace

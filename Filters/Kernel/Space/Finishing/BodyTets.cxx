@@ -82,13 +82,6 @@ void BodyTets::ResizeCells()
   this->Stamps.resize(count, 0);
 }
 
-std::array<Id, 3> BodyTets::SortedCorners(Id slot) const
-{
-  std::array<Id, 3> corners = this->FacetCorners(slot);
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
-
 void BodyTets::Attach(Id record, Id half, Id slot)
 {
   this->FacetSlots[At(2 * record + half)] = slot;

@@ -94,14 +94,6 @@ public:
       this->Mesh.FacetCorner(slot, 2) };
   }
 
-  /// How bad a change may make tetrahedra, the worst of which has `badness`: not quite as bad, or
-  /// 10 degrees where it is made on trial.
-  double LimitOf(double badness) const
-  {
-    constexpr double At10 = 0.9698463103929542;
-    return this->IsTrial ? std::max(badness, At10) : badness - LeastGain;
-  }
-
   RelaxedBody& Body;
   LinePieces Lines;
   TetMesh Mesh;
@@ -127,7 +119,6 @@ private:
   void DropFree(const std::vector<Id>& numbers, const std::vector<Id>& records);
   std::vector<Id> GiveBackFacets();
   void ResizeCells();
-  std::array<Id, 3> SortedCorners(Id slot) const;
   void Attach(Id record, Id half, Id slot);
 
   Id NumberOfGiven;           ///< vertices

@@ -49,13 +49,14 @@ bool EdgeRemoval::IsPositive(const BodyTets::Tetrahedron& t) const
 
 bool EdgeRemoval::Remove(Id cell, std::size_t edge)
 {
-  if (!this->FindLinks(cell, edge) || (this->NumberOfRecords > 0 && !this->IsFlippable()))
+  if (!this->FindLinks(cell, edge) || (this->NumberOfRecords > 0 && !this->IsInPatch()) ||
+    (this->NumberOfLinks == 2 && this->Links[0].Size == 2 && this->Links[1].Size == 2))
   {
     return false;
   }
   for (std::size_t k = 0; k < this->NumberOfLinks; ++k)
   {
-    if (!this->Triangulate(this->Links[k], this->Tets.LimitOf(this->Before)))
+    if (!this->Triangulate(this->Links[k], LimitOf(this->Before, this->Tets.IsTrial)))
     {
       return false;
     }
@@ -169,21 +170,6 @@ bool EdgeRemoval::Wind(Id first, Id p, Id q)
   return true;
 }
 
-/// Whether there are two facets at the edge, which is no piece: they lie in one patch.
-bool EdgeRemoval::IsFlippable() const
-{
-  if (this->NumberOfRecords != 2)
-  {
-    return false;
-  }
-  const Id first = this->Records[0];
-  const Id second = this->Records[1];
-  const std::size_t sides = this->Tets.IsInterface(first) ? 2 : 1;
-  return this->Tets.IsInterface(first) == this->Tets.IsInterface(second) &&
-    sides == this->NumberOfLinks &&
-    (this->Links[0].Size > 2 || this->Links[1].Size > 2 || sides == 1);
-}
-
 /// Finds the best triangulation. False where its worst tetrahedron is not better than the limit.
 bool EdgeRemoval::Triangulate(Link& link, double limit)
 {
@@ -289,7 +275,7 @@ bool EdgeRemoval::IsNewEdge(Id p, Id q, bool isInCell)
 bool EdgeRemoval::Split(Id cell, std::size_t edge)
 {
   const bool goes = this->FindLinks(cell, edge) &&
-    (this->NumberOfRecords == 0 || this->IsSplittable()) && this->FillFromInside();
+    (this->NumberOfRecords == 0 || this->IsInPatch()) && this->FillFromInside();
   if (goes)
   {
     this->Change.Apply(this->Tets);
@@ -297,7 +283,8 @@ bool EdgeRemoval::Split(Id cell, std::size_t edge)
   return goes;
 }
 
-bool EdgeRemoval::IsSplittable() const
+/// Whether there are two facets at the edge, which is no piece: they lie in one patch.
+bool EdgeRemoval::IsInPatch() const
 {
   return this->NumberOfRecords == 2 &&
     this->Tets.IsInterface(this->Records[0]) == this->Tets.IsInterface(this->Records[1]) &&
@@ -335,7 +322,8 @@ bool EdgeRemoval::FillFromInside()
       return goes;
     });
   this->Change.Facets.clear();
-  if (!(worst < this->Tets.LimitOf(this->Before)) || (isOnFacets && !this->SplitFacets(best)))
+  if (!(worst < LimitOf(this->Before, this->Tets.IsTrial)) ||
+    (isOnFacets && !this->SplitFacets(best)))
   {
     return false;
   }
@@ -420,8 +408,9 @@ bool EdgeRemoval::Flip(Id slot)
   }
   const Id d = this->Tets.VertexAt(slot);
   const Id e = this->Tets.VertexAt(twin);
-  const double limit = this->Tets.LimitOf(
-    std::max(this->Tets.Badness[At(slot >> 2)], this->Tets.Badness[At(twin >> 2)]));
+  const double limit =
+    LimitOf(std::max(this->Tets.Badness[At(slot >> 2)], this->Tets.Badness[At(twin >> 2)]),
+      this->Tets.IsTrial);
   this->Change.Clear();
   for (int k = 0; k < 3; ++k)
   {

@@ -75,12 +75,11 @@ private:
   bool FindLinks(Id cell, std::size_t edge);
   Id Rewind(Id cell, Id& p, Id& q) const;
   bool Wind(Id first, Id p, Id q);
-  bool IsFlippable() const;
   bool Triangulate(Link& link, double limit);
   double Cost(const std::array<Id, 3>& triangle, double limit) const;
   void Fill(const Link& link, std::size_t i, std::size_t j);
   bool FlipFacets();
-  bool IsSplittable() const;
+  bool IsInPatch() const;
   bool FillFromInside();
   bool SplitFacets(const GroundPlace& place);
   void FillAround(Id vertex);

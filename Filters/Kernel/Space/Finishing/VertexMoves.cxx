@@ -255,7 +255,7 @@ bool VertexMoves::Merge(Id vertex, Id other)
       worst = std::min(worst, tried);
       return goes;
     });
-  if (!(this->WorstAt(place, this->Tets.LimitOf(before)) < Infinity) ||
+  if (!(this->WorstAt(place, LimitOf(before, this->Tets.IsTrial)) < Infinity) ||
     (!isInside && !this->IsMergeable(vertex, other)))
   {
     return false;
