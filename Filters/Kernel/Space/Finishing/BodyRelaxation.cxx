@@ -38,7 +38,7 @@ protected:
     , Moves(this->Tets, this->Normals, f)
     , Edges(this->Tets, this->Normals)
     , Beats(pulse)
-    , TrialsLeft(300 + this->Tets.Mesh.NumberOfSlots() / 64) // beyond few that are used
+    , TrialsLeft(300 + this->Tets.Mesh.NumberOfSlots() / 256) // beyond few that are used
   {
   }
 
