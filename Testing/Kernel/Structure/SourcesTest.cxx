@@ -166,7 +166,7 @@ const std::map<std::string, Budget> Budgets = {
   { "Kernel/Space/Boundary", { 1700, 16 } },
   { "Kernel/Space/Relaxation", { 950, 7 } },
   { "Kernel/Space/Interior", { 1300, 17 } },
-  { "Kernel/Space/Finishing", { 2550, 15 } },
+  { "Kernel/Space/Finishing", { 2750, 16 } },
   { "Kernel/Space/Meshing", { 2150, 14 } },
   { "Kernel/Space/Quality", { 400, 2 } },
   { "Kernel/Space/Surface", { 3400, 20 } },

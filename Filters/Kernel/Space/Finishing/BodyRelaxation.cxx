@@ -21,22 +21,245 @@ namespace
 
 /// Badness (TetShape): the square of the cosine of the smallest angle.
 constexpr double At30 = 0.7499; // a bit more
+constexpr double At31 = 0.7347368398357183;
 constexpr double At35 = 0.6710100716628343;
 constexpr double At38 = 0.6209609477998338;
 constexpr double At45 = 0.5;
 constexpr double At1 = 0.9996954135095479;
 
-class BodyRelaxer
+/// A body that is relaxed, and trials of changes.
+class BodyTrials
 {
-public:
-  BodyRelaxer(const SurfaceGround& ground, const std::function<double(const Point3&)>& f,
+protected:
+  BodyTrials(const SurfaceGround& ground, const std::function<double(const Point3&)>& f,
     RelaxedBody& body, Pulse& pulse)
     : Tets(body, pulse)
     , Normals(ground, this->Tets)
     , Moves(this->Tets, this->Normals, f)
     , Edges(this->Tets, this->Normals)
     , Beats(pulse)
-    , TrialsLeft(MostTrials(body))
+    , TrialsLeft(300 + this->Tets.Mesh.NumberOfSlots() / 256) // beyond few that are used
+  {
+  }
+
+  bool IsBad(Id cell, double limit) const
+  {
+    return !this->Tets.Mesh.IsFree(cell) && this->Tets.Badness[At(cell)] > limit;
+  }
+
+  /// Tries all cells that are still bad, the worst first; after the first round those near which
+  /// something has changed.
+  bool TryWorst(Id round)
+  {
+    std::vector<std::pair<double, Id>> bad;
+    for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots(); ++cell)
+    {
+      if (this->IsBad(cell, At30) && !this->IsSharp(cell))
+      {
+        bad.push_back({ -this->Tets.Badness[At(cell)], cell });
+      }
+    }
+    std::sort(bad.begin(), bad.end());
+    bool isChanged = false;
+    this->Rounds.resize(this->Tets.Mesh.Points.size(), 0);
+    for (const auto& [badness, cell] : bad)
+    {
+      const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+      const auto isNew = [this, round](Id vertex) { return this->Rounds[At(vertex)] >= round; };
+      if (this->IsBad(cell, At30) && -this->Tets.Badness[At(cell)] == badness &&
+        std::any_of(corners.begin(), corners.end(), isNew) && this->Beats.Ask() &&
+        this->TryAt(cell))
+      {
+        isChanged = true;
+        this->Rounds.resize(this->Tets.Mesh.Points.size(), 0);
+        for (const Id vertex : this->Reached)
+        {
+          this->Rounds[At(vertex)] = round + 1;
+        }
+      }
+    }
+    return isChanged;
+  }
+
+  /// Whether the surface itself has an angle below 25 degrees at an edge of the cell.
+  bool IsSharp(Id cell) const
+  {
+    constexpr double Cosine = 0.9063077870366499;
+    bool isSharp = false;
+    for (std::size_t edge = 0; edge < 6 && !isSharp; ++edge)
+    {
+      const auto [a, b, p, q] = this->Edges.CornersFrom(cell, edge);
+      const Point3& at = this->Tets.Mesh.PointAt(a);
+      const Point3 along = this->Tets.Mesh.PointAt(b) - at;
+      const Point3 m = Cross(along, this->Tets.Mesh.PointAt(p) - at);
+      const Point3 n = Cross(along, this->Tets.Mesh.PointAt(q) - at);
+      isSharp = Dot(m, n) > Cosine * Length(m) * Length(n) &&
+        this->Tets.Lines.Between(a, b) != NoId &&
+        this->Tets.RecordOf(this->Tets.SlotOf(cell, p)) >= 0 &&
+        this->Tets.RecordOf(this->Tets.SlotOf(cell, q)) >= 0;
+    }
+    return isSharp;
+  }
+
+  /// Tries steps that make cells worse, and what can be made of that: at the edges of the cell,
+  /// then of those that have three and two corners of it.
+  bool TryAt(Id cell)
+  {
+    const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+    const std::vector<Id> near = this->CellsAt(corners);
+    std::set<std::pair<Id, Id>> tried;
+    for (std::ptrdiff_t common = 4; common >= 2; --common)
+    {
+      for (const Id other : near)
+      {
+        const BodyTets::Tetrahedron own = this->Tets.CornersOf(other);
+        const auto isCorner = [&corners](Id vertex)
+        { return std::find(corners.begin(), corners.end(), vertex) != corners.end(); };
+        const bool isNow = std::count_if(own.begin(), own.end(), isCorner) == common;
+        for (std::size_t edge = 0; isNow && edge < 6; ++edge)
+        {
+          const BodyTets::Tetrahedron ends = this->Edges.CornersFrom(other, edge);
+          const bool isNew = tried.insert(std::minmax(ends[0], ends[1])).second;
+          for (int step = 0; step < 4 && isNew && this->TrialsLeft > 0; ++step)
+          {
+            if (!this->Beats.HasStopped() && this->Try(cell, other, edge, step))
+            {
+              return true;
+            }
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  bool Do(Id cell, std::size_t edge, int step)
+  {
+    const Id a = this->Edges.CornersFrom(cell, edge)[0];
+    const Id b = this->Edges.CornersFrom(cell, edge)[1];
+    return step == 0 ? this->Edges.Remove(cell, edge)
+      : step == 1    ? this->Edges.Split(cell, edge)
+                     : this->Moves.Merge(step == 2 ? a : b, step == 2 ? b : a);
+  }
+
+  /// Does a step at an edge of `other`, and improves what is near. Takes all back where the cell,
+  /// or one that changed, is not better than the cell was.
+  bool Try(Id cell, Id other, std::size_t edge, int step)
+  {
+    constexpr int MostRounds = 3;
+    const double limit = this->Tets.Badness[At(cell)] - LeastGain;
+    std::vector<CellChange> log;
+    this->Tets.Log = &log;
+    this->Tets.IsTrial = true;
+    bool goes = this->Do(other, edge, step);
+    this->Tets.IsTrial = false;
+    if (goes)
+    {
+      --this->TrialsLeft;
+      for (int round = 0; round < MostRounds; ++round)
+      {
+        this->FindReached();
+        this->ImproveAll(this->CellsAt(this->Reached), At31);
+      }
+      const std::vector<Id> changed = this->FindReached();
+      const auto isBetter = [this, limit](Id c)
+      { return this->Tets.Mesh.IsFree(c) || this->Tets.Badness[At(c)] < limit; };
+      goes = isBetter(cell) && std::all_of(changed.begin(), changed.end(), isBetter);
+      if (!goes)
+      {
+        this->Moves.TakeBack();
+      }
+    }
+    this->Tets.Log = nullptr;
+    return goes;
+  }
+
+  /// Cells that have changed by the log. Sets Reached: their corners.
+  std::vector<Id> FindReached()
+  {
+    std::vector<Id> changed;
+    for (const CellChange& change : *this->Tets.Log)
+    {
+      std::copy_if(change.Cells.begin(), change.Cells.end(), std::back_inserter(changed),
+        [this](Id cell) { return !this->Tets.Mesh.IsFree(cell); });
+      for (const Id slot :
+        change.Vertex == NoId ? std::vector<Id>() : this->Tets.StarOf(change.Vertex))
+      {
+        changed.push_back(slot >> 2);
+      }
+    }
+    SortUnique(changed);
+    this->Reached.clear();
+    for (const Id cell : changed)
+    {
+      const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+      this->Reached.insert(this->Reached.end(), corners.begin(), corners.end());
+    }
+    SortUnique(this->Reached);
+    return changed;
+  }
+
+  /// The cells of the vertices.
+  template <typename Vertices>
+  std::vector<Id> CellsAt(const Vertices& vertices)
+  {
+    std::vector<Id> cells;
+    for (const Id vertex : vertices)
+    {
+      for (const Id slot : this->Tets.StarOf(vertex))
+      {
+        cells.push_back(slot >> 2);
+      }
+    }
+    SortUnique(cells);
+    return cells;
+  }
+
+  bool ImproveAll(const std::vector<Id>& cells, double limit)
+  {
+    bool isChanged = false;
+    for (const Id cell : cells)
+    {
+      isChanged = this->MoveCorners(cell, limit) || isChanged;
+      isChanged = (this->IsBad(cell, limit) && this->Edges.Improve(cell)) || isChanged;
+    }
+    return isChanged;
+  }
+
+  bool MoveCorners(Id cell, double limit)
+  {
+    bool isMoved = false;
+    for (Id slot = 4 * cell; slot < 4 * cell + 4 && this->IsBad(cell, limit); ++slot)
+    {
+      this->Beats.Beat(256);
+      isMoved = this->Moves.Improve(this->Tets.VertexAt(slot), limit) || isMoved;
+    }
+    return isMoved;
+  }
+
+  static void SortUnique(std::vector<Id>& list)
+  {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+
+  BodyTets Tets;
+  GroundNormals Normals;
+  VertexMoves Moves;
+  EdgeRemoval Edges;
+  Pulse& Beats;
+  std::vector<Id> Reached; ///< vertices
+  std::vector<Id> Rounds;  ///< of vertices: one more than the last in which a trial changed them
+  Id TrialsLeft;
+};
+
+/// The order of the steps.
+class BodyRelaxer : private BodyTrials
+{
+public:
+  BodyRelaxer(const SurfaceGround& ground, const std::function<double(const Point3&)>& f,
+    RelaxedBody& body, Pulse& pulse)
+    : BodyTrials(ground, f, body, pulse)
   {
   }
 
@@ -81,13 +304,6 @@ public:
   }
 
 private:
-  static Id MostTrials(const RelaxedBody& body)
-  {
-    constexpr Id Least = 1000;
-    constexpr Id Share = 32;
-    return Least + static_cast<Id>(body.Regions.size()) / Share;
-  }
-
   bool GoOn(double fraction)
   {
     this->Beats.SetFraction(fraction);
@@ -101,11 +317,6 @@ private:
     {
       this->Moves.Smooth(vertex, At35);
     }
-  }
-
-  bool IsBad(Id cell, double limit) const
-  {
-    return !this->Tets.Mesh.IsFree(cell) && this->Tets.Badness[At(cell)] > limit;
   }
 
   bool ChangeBad(double limit)
@@ -152,174 +363,6 @@ private:
       isChanged = isSplit || isChanged;
     }
     return isChanged;
-  }
-
-  /// Tries all cells that are still bad, the worst first; after the first round those near which
-  /// something has changed.
-  bool TryWorst(Id round)
-  {
-    std::vector<std::pair<double, Id>> bad;
-    for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots(); ++cell)
-    {
-      if (this->IsBad(cell, At30))
-      {
-        bad.push_back({ -this->Tets.Badness[At(cell)], cell });
-      }
-    }
-    std::sort(bad.begin(), bad.end());
-    bool isChanged = false;
-    for (const auto& [badness, cell] : bad)
-    {
-      const bool isSame = this->IsBad(cell, At30) && -this->Tets.Badness[At(cell)] == badness;
-      if (isSame && this->IsChangedSince(cell, round) && this->Beats.Ask() && this->TryAt(cell))
-      {
-        isChanged = true;
-        this->Rounds.resize(this->Tets.Mesh.Points.size(), 0);
-        for (const Id vertex : this->Reached)
-        {
-          this->Rounds[At(vertex)] = round + 1;
-        }
-      }
-    }
-    return isChanged;
-  }
-
-  bool IsChangedSince(Id cell, Id round)
-  {
-    this->Rounds.resize(this->Tets.Mesh.Points.size(), 0);
-    const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
-    return std::any_of(corners.begin(), corners.end(),
-      [this, round](Id vertex) { return this->Rounds[At(vertex)] >= round; });
-  }
-
-  /// Tries steps that make cells worse, and what can be made of that: at the cell, then at those
-  /// that have three and two corners of it.
-  bool TryAt(Id cell)
-  {
-    const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
-    const std::vector<Id> near = this->CellsAt(corners);
-    const double before = this->Tets.Badness[At(cell)];
-    std::set<BodyTets::Tetrahedron> done;
-    for (std::ptrdiff_t common = 4; common >= 2; --common)
-    {
-      for (const Id other : near)
-      {
-        const BodyTets::Tetrahedron own = this->Tets.CornersOf(other);
-        const auto isCorner = [&corners](Id vertex)
-        { return std::find(corners.begin(), corners.end(), vertex) != corners.end(); };
-        const bool isNow = std::count_if(own.begin(), own.end(), isCorner) == common;
-        for (std::size_t step = 0; isNow && step<NumberOfSteps&& this->TrialsLeft> 0; ++step)
-        {
-          if (done.insert(KeyOf(own, step)).second && this->Try(other, step, before))
-          {
-            return true;
-          }
-        }
-      }
-    }
-    return false;
-  }
-
-  /// Steps at a cell: to remove its edges; to split them; to flip its facets; to merge its corners.
-  static constexpr std::size_t NumberOfSteps = 28;
-  static constexpr std::size_t EdgeCorners[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 },
-    { 1, 3 }, { 2, 3 } };
-
-  /// Is the same for the same step at another cell.
-  static BodyTets::Tetrahedron KeyOf(const BodyTets::Tetrahedron& c, std::size_t step)
-  {
-    BodyTets::Tetrahedron key{ NoId, NoId, NoId, step < 6 ? 0 : step < 12 ? 1 : 2 };
-    if (step < 12)
-    {
-      key[0] = c[EdgeCorners[step % 6][0]];
-      key[1] = c[EdgeCorners[step % 6][1]];
-    }
-    else if (step < 16)
-    {
-      std::copy_if(c.begin(), c.end(), key.begin(),
-        [&c, step](const Id& vertex) { return &vertex != &c[step - 12]; });
-    }
-    else
-    {
-      return { c[(step - 16) / 3], c[((step - 16) / 3 + 1 + step % 3) % 4], NoId, 3 };
-    }
-    std::sort(key.begin(), key.begin() + 3);
-    return key;
-  }
-
-  bool Do(Id cell, std::size_t step)
-  {
-    if (step < 12)
-    {
-      return step < 6 ? this->Edges.Remove(cell, step) : this->Edges.Split(cell, step - 6);
-    }
-    if (step < 16)
-    {
-      return this->Edges.Flip(4 * cell + static_cast<Id>(step - 12));
-    }
-    const BodyTets::Tetrahedron c = this->Tets.CornersOf(cell);
-    return this->Moves.Merge(c[(step - 16) / 3], c[((step - 16) / 3 + 1 + step % 3) % 4]);
-  }
-
-  /// Does the step, and improves what is near. Takes all back where a cell that changed is not
-  /// better than `before` then.
-  bool Try(Id cell, std::size_t step, double before)
-  {
-    constexpr int Rounds = 3;
-    std::vector<CellChange> log;
-    this->Tets.Log = &log;
-    this->Tets.IsTrial = true;
-    bool goes = this->Do(cell, step);
-    this->Tets.IsTrial = false;
-    if (goes)
-    {
-      --this->TrialsLeft;
-      for (int round = 0; round < Rounds; ++round)
-      {
-        this->FindReached();
-        this->ImproveAll(this->CellsAt(this->Reached), At35);
-      }
-      const std::vector<Id> changed = this->FindReached();
-      goes = std::all_of(changed.begin(), changed.end(),
-        [this, before](Id c) { return this->Tets.Badness[At(c)] < before - LeastGain; });
-      if (!goes)
-      {
-        this->Moves.TakeBack();
-      }
-    }
-    this->Tets.Log = nullptr;
-    return goes;
-  }
-
-  /// Cells that have changed by the log. Sets Reached: their corners.
-  std::vector<Id> FindReached()
-  {
-    std::vector<Id> changed;
-    for (const CellChange& change : *this->Tets.Log)
-    {
-      std::copy_if(change.Cells.begin(), change.Cells.end(), std::back_inserter(changed),
-        [this](Id cell) { return !this->Tets.Mesh.IsFree(cell); });
-      for (const Id slot :
-        change.Vertex == NoId ? std::vector<Id>() : this->Tets.StarOf(change.Vertex))
-      {
-        changed.push_back(slot >> 2);
-      }
-    }
-    SortUnique(changed);
-    this->Reached.clear();
-    for (const Id cell : changed)
-    {
-      const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
-      this->Reached.insert(this->Reached.end(), corners.begin(), corners.end());
-    }
-    SortUnique(this->Reached);
-    return changed;
-  }
-
-  static void SortUnique(std::vector<Id>& list)
-  {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
   }
 
   /// Merges vertices of thin facets of the boundary while there are slivers, which tetrahedra at
@@ -370,53 +413,6 @@ private:
     }
     return false;
   }
-
-  /// The cells of the vertices.
-  template <typename Vertices>
-  std::vector<Id> CellsAt(const Vertices& vertices)
-  {
-    std::vector<Id> cells;
-    for (const Id vertex : vertices)
-    {
-      for (const Id slot : this->Tets.StarOf(vertex))
-      {
-        cells.push_back(slot >> 2);
-      }
-    }
-    SortUnique(cells);
-    return cells;
-  }
-
-  bool ImproveAll(const std::vector<Id>& cells, double limit)
-  {
-    bool isChanged = false;
-    for (const Id cell : cells)
-    {
-      isChanged = this->MoveCorners(cell, limit) || isChanged;
-      isChanged = (this->IsBad(cell, limit) && this->Edges.Improve(cell)) || isChanged;
-    }
-    return isChanged;
-  }
-
-  bool MoveCorners(Id cell, double limit)
-  {
-    bool isMoved = false;
-    for (Id slot = 4 * cell; slot < 4 * cell + 4 && this->IsBad(cell, limit); ++slot)
-    {
-      this->Beats.Beat(256);
-      isMoved = this->Moves.Improve(this->Tets.VertexAt(slot), limit) || isMoved;
-    }
-    return isMoved;
-  }
-
-  BodyTets Tets;
-  GroundNormals Normals;
-  VertexMoves Moves;
-  EdgeRemoval Edges;
-  Pulse& Beats;
-  std::vector<Id> Reached; ///< vertices
-  std::vector<Id> Rounds;  ///< of vertices: one more than the last in which a trial changed them
-  Id TrialsLeft;
 };
 
 } // namespace

@@ -46,13 +46,16 @@ struct RelaxedBody
 /// Makes its tetrahedra better: vertices of thin facets are merged; vertices move to where the
 /// errors of interpolation are least (ODT, density of f), those on the boundary on the ground;
 /// flips and the removal of edges take slivers away; then the vertices of the worst tetrahedra move
-/// by trial, those on lines along their chains. Around angles that stay below 31 degrees also the
+/// by trial, those on lines along their chains. Around angles that stay below 30 degrees also the
 /// other tetrahedra are improved, vertices are merged with neighbors or inserted, on the boundary
-/// too. Vertices stay sorted by kind; inserted ones come last of theirs.
-/// Laws: no step makes the worst dihedral angle of the tetrahedra that it changes worse, unless all
-/// stay above 35 degrees; tetrahedra stay positive, exactly; the boundary stays closed, of the same
-/// topology and within its patches, as near to the ground as GroundNormals says; pieces cover the
-/// chains; corners stay; regions keep their facets. A stopped relaxation keeps these laws, too.
+/// too. Where that does not help, steps that make tetrahedra worse are made on trial, what is near
+/// is improved, and all is taken back that does not end better. Vertices stay sorted by kind;
+/// inserted ones come last of theirs.
+/// Laws: no step, and no trial as a whole, makes the worst dihedral angle of the tetrahedra that it
+/// changes worse, unless all stay above 35 degrees; tetrahedra stay positive, exactly; the boundary
+/// stays closed, of the same topology and within its patches, as near to the ground as
+/// GroundNormals says; pieces cover the chains; corners stay; regions keep their facets. A stopped
+/// relaxation keeps these laws, too.
 /// Target: every dihedral angle at least 30 degrees where the input's are 90 and f fits.
 /// Does not depend on the number of threads.
 void RelaxBody(const SurfaceGround& ground, const std::function<double(const Point3&)>& f,

@@ -55,12 +55,12 @@ BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
   }
 }
 
-Id BodyTets::AddVertex(Kind kind, const Point3& place, double size)
+Id BodyTets::AddVertex()
 {
-  this->Kinds.push_back(kind);
-  this->Mesh.Points.push_back(place);
+  this->Kinds.push_back(Kind::Inside);
+  this->Mesh.Points.emplace_back();
   this->Mesh.VertexCells.push_back(NoId);
-  this->Body.Sizes.push_back(size);
+  this->Body.Sizes.push_back(0.0);
   this->Touched.push_back(0);
   this->TriedMoves.push_back(0);
   this->NumberOfMoves.push_back(0);
@@ -80,13 +80,6 @@ void BodyTets::ResizeCells()
   this->Badness.resize(count);
   this->Tried.resize(count, 0);
   this->Stamps.resize(count, 0);
-}
-
-std::array<Id, 3> BodyTets::SortedCorners(Id slot) const
-{
-  std::array<Id, 3> corners = this->FacetCorners(slot);
-  std::sort(corners.begin(), corners.end());
-  return corners;
 }
 
 void BodyTets::Attach(Id record, Id half, Id slot)
@@ -136,6 +129,23 @@ const std::vector<Id>& BodyTets::StarOf(Id vertex)
     }
   }
   return this->Star;
+}
+
+std::vector<Id> BodyTets::FacetsAt(Id vertex)
+{
+  std::vector<Id> slots;
+  for (const Id own : this->StarOf(vertex))
+  {
+    for (Id slot = own & ~3; slot < (own & ~3) + 4; ++slot)
+    {
+      const Id record = slot == own ? NoId : this->RecordOf(slot);
+      if (record >= 0 && this->FacetSlots[At(2 * record)] == slot)
+      {
+        slots.push_back(slot);
+      }
+    }
+  }
+  return slots;
 }
 
 /// Takes vertices away that no cell has, and sorts the others by kind. Their new numbers.

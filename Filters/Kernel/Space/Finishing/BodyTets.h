@@ -43,13 +43,16 @@ public:
   };
 
   /// A vertex of no cell as yet.
-  Id AddVertex(Kind kind, const Point3& place, double size);
+  Id AddVertex();
 
   /// A record for a part of the facet of another one.
   Id AddRecord(Id other);
 
   /// The slots of the vertex in its cells. Good until the next call.
   const std::vector<Id>& StarOf(Id vertex);
+
+  /// Of the facets with records at the vertex, one slot each.
+  std::vector<Id> FacetsAt(Id vertex);
 
   Id VertexAt(Id slot) const { return this->Mesh.Corners[At(slot)]; }
   const Point3& PointOf(Id slot) const { return this->Mesh.PointAt(this->VertexAt(slot)); }
@@ -91,14 +94,6 @@ public:
       this->Mesh.FacetCorner(slot, 2) };
   }
 
-  /// How bad a change may make tetrahedra, the worst of which has `badness`: not quite as bad, or
-  /// 10 degrees where it is made on trial.
-  double LimitOf(double badness) const
-  {
-    constexpr double At10 = 0.9698463103929542;
-    return this->IsTrial ? std::max(badness, At10) : badness - LeastGain;
-  }
-
   RelaxedBody& Body;
   LinePieces Lines;
   TetMesh Mesh;
@@ -124,7 +119,6 @@ private:
   void DropFree(const std::vector<Id>& numbers, const std::vector<Id>& records);
   std::vector<Id> GiveBackFacets();
   void ResizeCells();
-  std::array<Id, 3> SortedCorners(Id slot) const;
   void Attach(Id record, Id half, Id slot);
 
   Id NumberOfGiven;           ///< vertices

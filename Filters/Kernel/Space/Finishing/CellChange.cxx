@@ -8,6 +8,17 @@
 namespace biting
 {
 
+namespace
+{
+
+std::array<Id, 3> Sorted(std::array<Id, 3> corners)
+{
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+} // namespace
+
 void CellChange::Clear()
 {
   this->Cells.clear();
@@ -26,8 +37,7 @@ void CellChange::Apply(BodyTets& tets)
   this->AddWalls(tets);
   for (const NewFacet& facet : this->Facets)
   {
-    std::array<Id, 3> corners = facet.Corners;
-    std::sort(corners.begin(), corners.end());
+    const std::array<Id, 3> corners = Sorted(facet.Corners);
     if (corners[0] != NoId)
     {
       this->Sides.push_back({ corners, NoId, facet.Record, NoId });
@@ -94,11 +104,11 @@ void CellChange::AddWalls(BodyTets& tets)
       if (record >= 0 && !isGiven(record))
       {
         const Id half = tets.FacetSlots[At(2 * record)] == slot ? 0 : 1;
-        this->Sides.push_back({ tets.SortedCorners(slot), NoId, record, half });
+        this->Sides.push_back({ Sorted(tets.FacetCorners(slot)), NoId, record, half });
       }
       else if (record < 0 && tets.Stamps[At(TetMesh::CellOf(twin))] != tets.Stamp)
       {
-        this->Sides.push_back({ tets.SortedCorners(slot), twin, NoId, NoId });
+        this->Sides.push_back({ Sorted(tets.FacetCorners(slot)), twin, NoId, NoId });
       }
     }
   }
@@ -127,7 +137,7 @@ void CellChange::AddFilling(BodyTets& tets)
     for (Id slot = 4 * cell; slot < 4 * cell + 4; ++slot)
     {
       tets.Mesh.VertexCells[At(tets.VertexAt(slot))] = cell;
-      this->Sides.push_back({ tets.SortedCorners(slot), slot, NoId, NoId });
+      this->Sides.push_back({ Sorted(tets.FacetCorners(slot)), slot, NoId, NoId });
     }
   }
 }

@@ -11,17 +11,6 @@
 namespace biting
 {
 
-namespace
-{
-
-/// f at the middle of an edge.
-double MeanSize(const BodyTets& tets, Id a, Id b)
-{
-  return 0.5 * (tets.Body.Sizes[At(a)] + tets.Body.Sizes[At(b)]);
-}
-
-} // namespace
-
 bool EdgeRemoval::Improve(Id cell)
 {
   std::uint32_t touched = 0;
@@ -60,13 +49,14 @@ bool EdgeRemoval::IsPositive(const BodyTets::Tetrahedron& t) const
 
 bool EdgeRemoval::Remove(Id cell, std::size_t edge)
 {
-  if (!this->FindLinks(cell, edge) || (this->NumberOfRecords > 0 && !this->IsFlippable()))
+  if (!this->FindLinks(cell, edge) || (this->NumberOfRecords > 0 && !this->IsInPatch()) ||
+    (this->NumberOfLinks == 2 && this->Links[0].Size == 2 && this->Links[1].Size == 2))
   {
     return false;
   }
   for (std::size_t k = 0; k < this->NumberOfLinks; ++k)
   {
-    if (!this->Triangulate(this->Links[k], this->Tets.LimitOf(this->Before)))
+    if (!this->Triangulate(this->Links[k], LimitOf(this->Before, this->Tets.IsTrial)))
     {
       return false;
     }
@@ -89,13 +79,9 @@ bool EdgeRemoval::Remove(Id cell, std::size_t edge)
 /// Sets the edge, the cells about it and its links. False where it cannot be taken away.
 bool EdgeRemoval::FindLinks(Id cell, std::size_t edge)
 {
-  const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
-  const auto corner = [&corners, edge](int k)
-  { return corners[static_cast<std::size_t>(EdgeCorners[edge][k])]; };
-  this->A = corner(0);
-  this->B = corner(1);
-  Id p = corner(2);
-  Id q = corner(3);
+  auto [a, b, p, q] = this->CornersFrom(cell, edge);
+  this->A = a;
+  this->B = b;
   if (this->Tets.Lines.Between(this->A, this->B) != NoId)
   {
     return false;
@@ -182,21 +168,6 @@ bool EdgeRemoval::Wind(Id first, Id p, Id q)
   // A closed link has come back to its first vertex.
   this->Links[0].Size -= begin < 0 ? 1 : 0;
   return true;
-}
-
-/// Whether there are two facets at the edge, which is no piece: they lie in one patch.
-bool EdgeRemoval::IsFlippable() const
-{
-  if (this->NumberOfRecords != 2)
-  {
-    return false;
-  }
-  const Id first = this->Records[0];
-  const Id second = this->Records[1];
-  const std::size_t sides = this->Tets.IsInterface(first) ? 2 : 1;
-  return this->Tets.IsInterface(first) == this->Tets.IsInterface(second) &&
-    sides == this->NumberOfLinks &&
-    (this->Links[0].Size > 2 || this->Links[1].Size > 2 || sides == 1);
 }
 
 /// Finds the best triangulation. False where its worst tetrahedron is not better than the limit.
@@ -304,7 +275,7 @@ bool EdgeRemoval::IsNewEdge(Id p, Id q, bool isInCell)
 bool EdgeRemoval::Split(Id cell, std::size_t edge)
 {
   const bool goes = this->FindLinks(cell, edge) &&
-    (this->NumberOfRecords == 0 || this->IsSplittable()) && this->FillFromInside();
+    (this->NumberOfRecords == 0 || this->IsInPatch()) && this->FillFromInside();
   if (goes)
   {
     this->Change.Apply(this->Tets);
@@ -312,7 +283,8 @@ bool EdgeRemoval::Split(Id cell, std::size_t edge)
   return goes;
 }
 
-bool EdgeRemoval::IsSplittable() const
+/// Whether there are two facets at the edge, which is no piece: they lie in one patch.
+bool EdgeRemoval::IsInPatch() const
 {
   return this->NumberOfRecords == 2 &&
     this->Tets.IsInterface(this->Records[0]) == this->Tets.IsInterface(this->Records[1]) &&
@@ -327,65 +299,52 @@ bool EdgeRemoval::FillFromInside()
   const Point3& a = this->Tets.Mesh.PointAt(this->A);
   const Point3& b = this->Tets.Mesh.PointAt(this->B);
   const double length = Distance(a, b);
-  if (length <
-    0.5 * MeanSize(this->Tets, this->A, this->B)) // else flat parts are split without end
+  const double size =
+    0.5 * (this->Tets.Body.Sizes[At(this->A)] + this->Tets.Body.Sizes[At(this->B)]);
+  if (length < 0.5 * size) // else flat parts are split without end
   {
     return false;
   }
   const bool isOnFacets = this->NumberOfRecords > 0;
   GroundPlace best{ NoId, Midpoint(a, b) };
   best = isOnFacets ? this->Normals.ProjectOnFacet(this->Records[0], best.Place) : best;
-  double worst = this->WorstAround(best.Place, 1.0);
+  this->Fresh = this->Fresh == NoId ? this->Tets.AddVertex() : this->Fresh;
+  this->FillAround(this->Fresh);
+  double worst = this->WorstOfFilling(best.Place, 1.0);
   TryInSteps(isOnFacets ? 0.0 : 0.1 * length, 0.01 * length,
     [this, &best, &worst](const Point3& step)
     {
       const Point3 place = best.Place + step;
-      const double tried = this->WorstAround(place, worst - LeastGain);
+      const double tried = this->WorstOfFilling(place, worst - LeastGain);
       const bool goes = tried < worst;
       best.Place = goes ? place : best.Place;
       worst = std::min(worst, tried);
       return goes;
     });
   this->Change.Facets.clear();
-  if (!(worst < this->Tets.LimitOf(this->Before)) || (isOnFacets && !this->SplitFacets(best)))
+  if (!(worst < LimitOf(this->Before, this->Tets.IsTrial)) ||
+    (isOnFacets && !this->SplitFacets(best)))
   {
     return false;
   }
-  this->FillAround(best);
+  this->Tets.Mesh.Points[At(this->Fresh)] = best.Place;
+  this->Tets.Body.Sizes[At(this->Fresh)] = size;
+  this->Tets.Body.BoundaryPlaces.resize(this->Tets.Body.Sizes.size(), NoId);
+  this->Tets.Body.BoundaryPlaces[At(this->Fresh)] = best.Triangle;
+  this->Tets.Kinds[At(this->Fresh)] = isOnFacets ? BodyTets::Kind::OnPatch : BodyTets::Kind::Inside;
+  this->Fresh = NoId;
   return true;
 }
 
-/// Whether the ground allows the halves of the facets.
-bool EdgeRemoval::SplitFacets(const GroundPlace& place)
+/// Sets the halves of the cells about the edge.
+void EdgeRemoval::FillAround(Id vertex)
 {
-  std::vector<GroundNormals::FacetChange> changes;
-  const Id ends[2] = { this->Links[0].Vertices[0],
-    this->Links[0].Vertices[this->Links[0].Size - 1] };
-  for (std::size_t k = 0; k < 2; ++k)
-  {
-    const std::array<Id, 3> corners = k == 0 ? std::array<Id, 3>{ this->A, this->B, ends[0] }
-                                             : std::array<Id, 3>{ this->B, this->A, ends[1] };
-    changes.push_back({ this->Records[k], corners, this->A });
-    changes.push_back({ this->Records[k], corners, this->B });
-  }
-  return this->Normals.AllowsChange(changes, NoId, place);
-}
-
-void EdgeRemoval::FillAround(const GroundPlace& place)
-{
-  const bool isOnFacets = this->NumberOfRecords > 0;
-  RelaxedBody& body = this->Tets.Body;
-  const Id vertex =
-    this->Tets.AddVertex(isOnFacets ? BodyTets::Kind::OnPatch : BodyTets::Kind::Inside, place.Place,
-      MeanSize(this->Tets, this->A, this->B));
-  body.BoundaryPlaces.resize(body.Sizes.size(), NoId);
-  body.BoundaryPlaces[At(vertex)] = place.Triangle;
   this->Change.Filling.clear();
   this->Change.Regions.clear();
   for (std::size_t side = 0; side < this->NumberOfLinks; ++side)
   {
     const Link& link = this->Links[side];
-    const std::size_t cells = link.Size - (isOnFacets ? 1 : 0);
+    const std::size_t cells = link.Size - (this->NumberOfRecords > 0 ? 1 : 0);
     for (std::size_t k = 0; k < cells; ++k)
     {
       const Id p = link.Vertices[k];
@@ -395,37 +354,49 @@ void EdgeRemoval::FillAround(const GroundPlace& place)
     }
     this->Change.Regions.insert(this->Change.Regions.end(), 2 * cells, link.Region);
   }
-  for (std::size_t k = 0; k < this->NumberOfRecords; ++k)
-  {
-    const Id p = this->Links[0].Vertices[k == 0 ? 0 : this->Links[0].Size - 1];
-    this->Change.Facets.push_back({ this->Records[k], { this->A, vertex, p } });
-    this->Change.Facets.push_back(
-      { this->Tets.AddRecord(this->Records[k]), { vertex, this->B, p } });
-  }
 }
 
-/// The badness of the worst of the halves; infinite where it is not below the limit, or one is not
-/// positive.
-double EdgeRemoval::WorstAround(const Point3& place, double limit) const
+/// The badness of the worst of the halves with the new vertex there; infinite where it is not below
+/// the limit, or one is not positive.
+double EdgeRemoval::WorstOfFilling(const Point3& place, double limit)
 {
-  const Point3& a = this->Tets.Mesh.PointAt(this->A);
-  const Point3& b = this->Tets.Mesh.PointAt(this->B);
+  this->Tets.Mesh.Points[At(this->Fresh)] = place;
   double worst = 0.0;
-  for (std::size_t side = 0; side < this->NumberOfLinks; ++side)
+  for (const BodyTets::Tetrahedron& t : this->Change.Filling)
   {
-    const Link& link = this->Links[side];
-    const std::size_t cells = link.Size - (this->NumberOfRecords > 0 ? 1 : 0);
-    for (std::size_t k = 0; k < 2 * cells && worst < limit; ++k)
+    worst = std::max(worst, this->Tets.BadnessOf(t));
+    if (!(worst < limit) || !this->IsPositive(t))
     {
-      const Point3& p = this->Tets.Mesh.PointAt(link.Vertices[k / 2]);
-      const Point3& q = this->Tets.Mesh.PointAt(link.Vertices[(k / 2 + 1) % link.Size]);
-      const Point3& first = k % 2 == 0 ? a : place;
-      const Point3& second = k % 2 == 0 ? place : b;
-      worst = std::max(worst, TetShape(first, second, p, q).Badness());
-      worst = Orient3D(first, second, p, q) > 0 ? worst : Infinity;
+      return Infinity;
     }
   }
-  return worst < limit ? worst : Infinity;
+  return worst;
+}
+
+/// Sets the halves of the facets. False where the ground does not allow them.
+bool EdgeRemoval::SplitFacets(const GroundPlace& place)
+{
+  const Link& link = this->Links[0];
+  const Id ends[2] = { link.Vertices[0], link.Vertices[link.Size - 1] };
+  std::vector<GroundNormals::FacetChange> changes;
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const std::array<Id, 3> corners{ k == 0 ? this->A : this->B, k == 0 ? this->B : this->A,
+      ends[k] };
+    changes.push_back({ this->Records[k], corners, this->A });
+    changes.push_back({ this->Records[k], corners, this->B });
+  }
+  if (!this->Normals.AllowsChange(changes, NoId, place))
+  {
+    return false;
+  }
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    this->Change.Facets.push_back({ this->Records[k], { this->A, this->Fresh, ends[k] } });
+    this->Change.Facets.push_back(
+      { this->Tets.AddRecord(this->Records[k]), { this->Fresh, this->B, ends[k] } });
+  }
+  return true;
 }
 
 bool EdgeRemoval::Flip(Id slot)
@@ -437,8 +408,9 @@ bool EdgeRemoval::Flip(Id slot)
   }
   const Id d = this->Tets.VertexAt(slot);
   const Id e = this->Tets.VertexAt(twin);
-  const double limit = this->Tets.LimitOf(
-    std::max(this->Tets.Badness[At(slot >> 2)], this->Tets.Badness[At(twin >> 2)]));
+  const double limit =
+    LimitOf(std::max(this->Tets.Badness[At(slot >> 2)], this->Tets.Badness[At(twin >> 2)]),
+      this->Tets.IsTrial);
   this->Change.Clear();
   for (int k = 0; k < 3; ++k)
   {

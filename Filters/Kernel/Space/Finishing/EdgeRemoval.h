@@ -7,8 +7,10 @@
 #include "CellChange.h"
 #include "GroundNormals.h"
 
-#include <array>   // for tables
-#include <cstddef> // for counts
+#include <algorithm> // for transform
+#include <array>     // for tables
+#include <cstddef>   // for counts
+#include <iterator>  // for begin, end
 
 namespace biting
 {
@@ -41,6 +43,16 @@ public:
   /// Of an edge of the boundary, but of lines: on the ground.
   bool Split(Id cell, std::size_t edge);
 
+  /// The ends of the edge, and the other two corners.
+  BodyTets::Tetrahedron CornersFrom(Id cell, std::size_t edge) const
+  {
+    const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+    BodyTets::Tetrahedron sorted;
+    std::transform(std::begin(EdgeCorners[edge]), std::end(EdgeCorners[edge]), sorted.begin(),
+      [&corners](int k) { return corners[At(k)]; });
+    return sorted;
+  }
+
   /// Takes a facet away: two tetrahedra become three about the edge between their apexes.
   bool Flip(Id slot);
 
@@ -63,16 +75,15 @@ private:
   bool FindLinks(Id cell, std::size_t edge);
   Id Rewind(Id cell, Id& p, Id& q) const;
   bool Wind(Id first, Id p, Id q);
-  bool IsFlippable() const;
   bool Triangulate(Link& link, double limit);
   double Cost(const std::array<Id, 3>& triangle, double limit) const;
   void Fill(const Link& link, std::size_t i, std::size_t j);
   bool FlipFacets();
-  bool IsSplittable() const;
+  bool IsInPatch() const;
   bool FillFromInside();
   bool SplitFacets(const GroundPlace& place);
-  void FillAround(const GroundPlace& place);
-  double WorstAround(const Point3& place, double limit) const;
+  void FillAround(Id vertex);
+  double WorstOfFilling(const Point3& place, double limit);
   bool IsNewEdge(Id p, Id q, bool isInCell);
   bool IsPositive(const BodyTets::Tetrahedron& t) const;
 
@@ -81,6 +92,7 @@ private:
   CellChange Change;
   Id A = NoId; ///< the edge is from A to B
   Id B = NoId;
+  Id Fresh = NoId;     ///< a vertex that no cell has, for splits
   double Before = 0.0; ///< badness of the worst cell about it
   std::array<Link, 2> Links;
   std::size_t NumberOfLinks = 0;

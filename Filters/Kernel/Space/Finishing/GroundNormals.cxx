@@ -95,28 +95,16 @@ GroundPlace GroundNormals::Project(Id vertex, const Point3& place) const
   return { this->Ground.TrianglesAt[tail][0], there.Place };
 }
 
-bool GroundNormals::AllowsMove(
-  const std::vector<Id>& star, Id vertex, const GroundPlace& place) const
+bool GroundNormals::AllowsMove(Id vertex, const GroundPlace& place) const
 {
   const bool isOnLine = this->Tets.Kinds[At(vertex)] == BodyTets::Kind::OnLine;
-  const GroundPlace seen{ isOnLine ? NoId : place.Triangle, place.Place };
-  for (const Id own : star)
+  std::vector<FacetChange> changes;
+  for (const Id slot : this->Tets.FacetsAt(vertex))
   {
-    for (Id slot = own & ~3; slot < (own & ~3) + 4; ++slot)
-    {
-      const Id record = this->Tets.RecordOf(slot);
-      if (slot == own || record < 0)
-      {
-        continue;
-      }
-      const FacetChange change{ record, this->Tets.FacetCorners(slot), vertex };
-      if (!this->AllowsFacet(this->FacetOf(change.Corners), this->Changed(change, seen)))
-      {
-        return false;
-      }
-    }
+    changes.push_back({ this->Tets.RecordOf(slot), this->Tets.FacetCorners(slot), vertex });
   }
-  return !isOnLine || this->AllowsSlide(vertex, place.Place);
+  return this->AllowsChange(changes, vertex, place) &&
+    (!isOnLine || this->AllowsSlide(vertex, place.Place));
 }
 
 /// Whether the chain stays near the pieces at the vertex: at their middles.

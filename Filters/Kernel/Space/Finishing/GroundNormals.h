@@ -53,11 +53,11 @@ public:
     return this->Patches.Project(this->Tets.Body.FacetPlaces[At(record)], place);
   }
 
-  /// Whether a vertex may slide there. `star`: its slots.
-  bool AllowsMove(const std::vector<Id>& star, Id vertex, const GroundPlace& place) const;
+  /// Whether a vertex may slide there.
+  bool AllowsMove(Id vertex, const GroundPlace& place) const;
 
-  /// Whether the facets may be replaced by those with `to` in place of From: a vertex on no line,
-  /// or NoId for one that is new, at the place.
+  /// Whether the facets may be replaced by those with `to`, at the place, for From: a vertex, or
+  /// NoId for one that is new, on no line.
   bool AllowsChange(const std::vector<FacetChange>& changes, Id to, const GroundPlace& place) const;
 
   /// Whether AllowsChange, and the ground stays near: facets of one vertex that goes to `to`.

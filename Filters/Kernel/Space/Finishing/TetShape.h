@@ -15,6 +15,14 @@ namespace biting
 /// A change is accepted as better only where Badness falls by at least this much.
 constexpr double LeastGain = 1e-4;
 
+/// How bad a change may make tetrahedra, the worst of which has `badness`: not quite as bad, or
+/// 10 degrees where it is made on trial.
+inline double LimitOf(double badness, bool isTrial)
+{
+  constexpr double At10 = 0.9698463103929542;
+  return isTrial ? std::max(badness, At10) : badness - LeastGain;
+}
+
 /// A tetrahedron seen from its first corner v: the sides to corners a, b, c, and the normals of the
 /// faces opposite these, inwards where it is positive, as long as twice the areas.
 struct TetShape

@@ -113,8 +113,8 @@ bool VertexMoves::Try(Id vertex, const Point3& place, double limit)
     return suits;
   }
   const GroundPlace onGround = this->Normals.Project(vertex, place);
-  const bool suits = this->Suits(onGround.Place, limit) &&
-    this->Normals.AllowsMove(this->Tets.StarOf(vertex), vertex, onGround);
+  const bool suits =
+    this->Suits(onGround.Place, limit) && this->Normals.AllowsMove(vertex, onGround);
   if (suits)
   {
     this->Move(vertex, onGround.Place);
@@ -170,22 +170,15 @@ Point3 VertexMoves::WayOnGround(Id vertex) const
 {
   Point3 sum{};
   double mass = 0.0;
-  for (const Cone& cone : this->Star)
+  for (const Id slot : this->Tets.FacetsAt(vertex))
   {
-    for (Id slot = cone.Slot & ~3; slot < (cone.Slot & ~3) + 4; ++slot)
-    {
-      if (slot == cone.Slot || this->Tets.RecordOf(slot) < 0)
-      {
-        continue;
-      }
-      const std::array<Id, 3> c = this->Tets.FacetCorners(slot);
-      const auto at = [this, &c](std::size_t k) { return this->Tets.Mesh.PointAt(c[k]); };
-      const std::vector<double>& sizes = this->Tets.Body.Sizes;
-      const double size = sizes[At(c[0])] + sizes[At(c[1])] + sizes[At(c[2])];
-      const double own = Length(Cross(at(1) - at(0), at(2) - at(0))) / (size * size * size * size);
-      sum = sum + (own / 3.0) * (at(0) + at(1) + at(2));
-      mass += own;
-    }
+    const std::array<Id, 3> c = this->Tets.FacetCorners(slot);
+    const auto at = [this, &c](std::size_t k) { return this->Tets.Mesh.PointAt(c[k]); };
+    const std::vector<double>& sizes = this->Tets.Body.Sizes;
+    const double size = sizes[At(c[0])] + sizes[At(c[1])] + sizes[At(c[2])];
+    const double own = Length(Cross(at(1) - at(0), at(2) - at(0))) / (size * size * size * size);
+    sum = sum + (own / 3.0) * (at(0) + at(1) + at(2));
+    mass += own;
   }
   return mass > 0.0 ? (1.0 / mass) * sum - this->Tets.Mesh.PointAt(vertex) : Point3{};
 }
@@ -262,7 +255,7 @@ bool VertexMoves::Merge(Id vertex, Id other)
       worst = std::min(worst, tried);
       return goes;
     });
-  if (!(this->WorstAt(place, this->Tets.LimitOf(before)) < Infinity) ||
+  if (!(this->WorstAt(place, LimitOf(before, this->Tets.IsTrial)) < Infinity) ||
     (!isInside && !this->IsMergeable(vertex, other)))
   {
     return false;
@@ -331,46 +324,55 @@ bool VertexMoves::FindFacets(Id vertex, Id other)
   }
   this->Facets.clear();
   std::size_t gone = 0;
-  for (const Id own : this->Tets.StarOf(vertex))
+  for (const Id slot : this->Tets.FacetsAt(vertex))
   {
-    for (Id slot = own & ~3; slot < (own & ~3) + 4; ++slot)
+    const Id record = this->Tets.RecordOf(slot);
+    std::array<Id, 3> corners = this->Tets.FacetCorners(slot);
+    const bool goes = std::find(corners.begin(), corners.end(), other) != corners.end();
+    gone += goes ? 1 : 0;
+    if (!goes)
     {
-      const Id record = slot == own ? NoId : this->Tets.RecordOf(slot);
-      const auto isIt = [record](const CellChange::NewFacet& f) { return f.Record == record; };
-      std::vector<CellChange::NewFacet>& facets = this->Change.Facets;
-      if (record < 0 || std::any_of(facets.begin(), facets.end(), isIt))
-      {
-        continue;
-      }
-      std::array<Id, 3> corners = this->Tets.FacetCorners(slot);
-      const bool goes = std::find(corners.begin(), corners.end(), other) != corners.end();
-      gone += goes ? 1 : 0;
-      if (!goes)
-      {
-        this->Facets.push_back({ record, corners, vertex });
-      }
-      std::replace(corners.begin(), corners.end(), vertex, goes ? NoId : other);
-      facets.push_back({ record, goes ? std::array<Id, 3>{ NoId, NoId, NoId } : corners });
+      this->Facets.push_back({ record, corners, vertex });
     }
+    std::replace(corners.begin(), corners.end(), vertex, goes ? NoId : other);
+    this->Change.Facets.push_back(
+      { record, goes ? std::array<Id, 3>{ NoId, NoId, NoId } : corners });
   }
   return gone > 1;
 }
 
-/// What is at a vertex but not at the other one: edges opposite, as pairs of vertices, and their
-/// ends, as pairs of the same; those on facets with records once more, with a 1.
-void VertexMoves::FindLink(Id vertex, Id other, std::vector<LinkItem>& link)
+/// What is at a vertex but not at the other one, or at the edge between them: edges opposite, as
+/// pairs of vertices, and vertices, as pairs of the same; those on facets with records once more,
+/// with a 1.
+void VertexMoves::FindLink(Id vertex, Id other, bool isAtEdge, std::vector<LinkItem>& link)
 {
   link.clear();
+  const auto add = [&link](Id a, Id b, Id isOnFacet)
+  {
+    const auto [low, high] = std::minmax(a, b);
+    link.insert(link.end(), { { low, high, isOnFacet }, { a, a, isOnFacet }, { b, b, isOnFacet } });
+  };
   for (const Id own : this->Tets.StarOf(vertex))
   {
     const std::array<Id, 3> c = this->Tets.FacetCorners(own);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const auto [a, b] = std::minmax(c[k], c[(k + 1) % 3]);
-      link.insert(link.end(), { { a, b, 0 }, { a, a, 0 }, { b, b, 0 } });
-      if (this->Tets.RecordOf(this->Tets.SlotOf(own >> 2, c[(k + 2) % 3])) >= 0)
+      const Id next = c[(k + 1) % 3];
+      const Id last = c[(k + 2) % 3];
+      const auto isFacet = [this, own](Id beyond)
+      { return this->Tets.RecordOf(this->Tets.SlotOf(own >> 2, beyond)) >= 0; };
+      if (isAtEdge && c[k] != other)
       {
-        link.insert(link.end(), { { a, b, 1 }, { a, a, 1 }, { b, b, 1 } });
+        continue;
+      }
+      add(next, last, 0);
+      if (isFacet(isAtEdge ? last : c[k]))
+      {
+        add(next, isAtEdge ? next : last, 1);
+      }
+      if (isAtEdge && isFacet(next))
+      {
+        add(last, last, 1);
       }
     }
   }
@@ -380,39 +382,13 @@ void VertexMoves::FindLink(Id vertex, Id other, std::vector<LinkItem>& link)
   link.erase(std::unique(link.begin(), link.end()), link.end());
 }
 
-/// What is at the edge between two vertices, as FindLink has it.
-void VertexMoves::FindEdgeLink(Id vertex, Id other, std::vector<LinkItem>& link)
-{
-  link.clear();
-  for (const Id own : this->Tets.StarOf(vertex))
-  {
-    const std::array<Id, 3> c = this->Tets.FacetCorners(own);
-    const auto k = static_cast<std::size_t>(std::find(c.begin(), c.end(), other) - c.begin());
-    if (k == 3)
-    {
-      continue;
-    }
-    const auto [a, b] = std::minmax(c[(k + 1) % 3], c[(k + 2) % 3]);
-    link.insert(link.end(), { { a, b, 0 }, { a, a, 0 }, { b, b, 0 } });
-    for (const Id end : { a, b })
-    {
-      if (this->Tets.RecordOf(this->Tets.SlotOf(own >> 2, end == a ? b : a)) >= 0)
-      {
-        link.push_back({ end, end, 1 });
-      }
-    }
-  }
-  std::sort(link.begin(), link.end());
-  link.erase(std::unique(link.begin(), link.end()), link.end());
-}
-
 /// Whether the mesh stays one, with its boundary: all that is at both vertices is at the edge
 /// between them (link condition, T. Dey et al., "Topology preserving edge contraction", 1999).
 bool VertexMoves::IsMergeable(Id vertex, Id other)
 {
-  this->FindLink(vertex, other, this->Links[0]);
-  this->FindLink(other, vertex, this->Links[1]);
-  this->FindEdgeLink(vertex, other, this->Links[2]);
+  this->FindLink(vertex, other, false, this->Links[0]);
+  this->FindLink(other, vertex, false, this->Links[1]);
+  this->FindLink(vertex, other, true, this->Links[2]);
   std::vector<LinkItem>& both = this->Links[3];
   both.clear();
   std::set_intersection(this->Links[0].begin(), this->Links[0].end(), this->Links[1].begin(),

@@ -67,8 +67,7 @@ private:
   void Move(Id vertex, const Point3& place);
   bool FindFacets(Id vertex, Id other);
   using LinkItem = std::array<Id, 3>;
-  void FindLink(Id vertex, Id other, std::vector<LinkItem>& link);
-  void FindEdgeLink(Id vertex, Id other, std::vector<LinkItem>& link);
+  void FindLink(Id vertex, Id other, bool isAtEdge, std::vector<LinkItem>& link);
   bool IsMergeable(Id vertex, Id other);
   bool Try(Id vertex, const Point3& place, double limit);
   Point3 WayInside(const Point3& place) const;

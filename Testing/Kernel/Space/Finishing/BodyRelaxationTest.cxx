@@ -6,6 +6,8 @@
 #include "Space/Delaunay/SpaceTriangulation.h"
 #include "Space/Features/FeatureLines.h"
 #include "Space/Features/GroundPatches.h"
+#include "Space/Finishing/EdgeRemoval.h"
+#include "Space/Finishing/VertexMoves.h"
 #include "Space/Quality/TetQuality.h"
 #include "Space/Surface/NearestOnTriangle.h"
 #include "Space/Surface/SurfaceShapes.h"
@@ -406,6 +408,47 @@ TEST(BodyRelaxation, NeverMakesTheWorstAngleWorseAndGivesTheSameAgain)
     EXPECT_EQ(cube.Body.Points, again.Body.Points);
     EXPECT_EQ(cube.Body.Corners, again.Body.Corners);
   }
+}
+
+TEST(BodyRelaxation, TakesTrialsBackExactly)
+{
+  Cube cube(6, 2, 0.3);
+  cube.Body.PieceChains.clear();
+  const std::vector<Id> corners = cube.Body.Corners;
+  const std::vector<Point3> points = cube.Body.Points;
+  const std::vector<double> sizes = cube.Body.Sizes;
+  const std::vector<Id> places = cube.Body.BoundaryPlaces;
+  const std::vector<Id> regions = cube.Body.Regions;
+  Pulse pulse(NoMonitor());
+  const std::function<double(const Point3&)> f = [](const Point3&) { return 0.1; };
+  BodyTets tets(cube.Body, pulse);
+  GroundNormals normals(cube.Ground, tets);
+  VertexMoves moves(tets, normals, f);
+  EdgeRemoval edges(tets, normals);
+  std::array<int, 4> done{};
+  for (Id cell = 0; cell < static_cast<Id>(corners.size()) / 4; ++cell)
+  {
+    std::vector<CellChange> log;
+    tets.Log = &log;
+    tets.IsTrial = true;
+    done[0] += moves.Improve(tets.VertexAt(4 * cell + cell % 4), 0.0) ? 1 : 0;
+    done[1] += edges.Split(cell, At(cell) % 6) ? 1 : 0;
+    done[2] += edges.Remove(cell, At(cell) % 5) ? 1 : 0;
+    const Id other = tets.VertexAt(4 * cell);
+    done[3] += moves.Merge(tets.VertexAt(4 * cell + 3), other) ? 1 : 0;
+    moves.TakeBack();
+    tets.IsTrial = false;
+    ASSERT_TRUE(std::equal(corners.begin(), corners.end(), tets.Mesh.Corners.begin()));
+    ASSERT_TRUE(std::equal(points.begin(), points.end(), tets.Mesh.Points.begin()));
+  }
+  EXPECT_GT(*std::min_element(done.begin(), done.end()), 50);
+  tets.GiveBack();
+  EXPECT_EQ(cube.Body.Corners, corners);
+  EXPECT_EQ(cube.Body.Points, points);
+  EXPECT_EQ(cube.Body.Sizes, sizes);
+  EXPECT_EQ(cube.Body.BoundaryPlaces, places);
+  EXPECT_EQ(cube.Body.Regions, regions);
+  ExpectBody(cube.Body);
 }
 
 /// Wants to stop when it is asked for that time.
