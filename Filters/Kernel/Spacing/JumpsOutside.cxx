@@ -204,8 +204,7 @@ private:
     const bool isAlike = std::abs(last.Value - first.Value) <= 2.0 * Slight * least;
     const bool isFine = first.IsUseful == last.IsUseful
       ? width <= this->ShareOf(least, WidthOfPart) && this->AreOnChord(first, middle, last)
-      : this->HasNoUse(first.IsUseful ? first : last) ||
-        (isAlike && width <= this->ShareOf(least, LargestSag));
+      : isAlike && width <= this->ShareOf(least, LargestSag);
     if (isFine || divisions == MostDivisions)
     {
       this->AddChord(first, middle);
@@ -214,12 +213,6 @@ private:
     }
     this->Divide(first, middle, divisions + 1);
     this->Divide(middle, last, divisions + 1);
-  }
-
-  /// Where it ends, f is bounded by no more than its value anyway.
-  bool HasNoUse(const Ray& ray) const
-  {
-    return ray.Most + this->Rule.Slope * ray.Length <= ray.Value;
   }
 
   /// Whether a chord, and what bounds f where a ray starts, limit f as the ray does in between.
@@ -265,11 +258,13 @@ private:
     ray.Other = own;
     ray.IsUseful = false;
     double most = Distance(ray.Start, this->Rule.Bounds.Center()) + this->Rule.Bounds.Diagonal();
-    const auto shorten = [&ray, &most](const Point2& place)
+    // A little longer: one search finds the end then, and sees that it is one.
+    const double more = this->ShareOf(own, 0.5 * Slight);
+    const auto shorten = [&ray, &most, more](const Point2& place)
     {
       const double length = LengthTo(place, ray);
-      const bool isNearer = length > 0.0 && 1.01 * length < most;
-      most = isNearer ? 1.01 * length : most;
+      const bool isNearer = length > 0.0 && length + more < most;
+      most = isNearer ? length + more : most;
       ray.Foot = isNearer ? place : ray.Foot;
       return isNearer;
     };
@@ -343,12 +338,6 @@ void AddJumpsOutside(const TriangleInterpolator& source, const std::vector<doubl
   std::vector<const BorderEdge*> edgeTo(most.size());
   for (const BorderEdge& edge : border)
   {
-    // Where the border ends, by triangles on each other, an edge follows itself.
-    edgeFrom[static_cast<std::size_t>(edge.EndId)] = &edge;
-    edgeTo[static_cast<std::size_t>(edge.StartId)] = &edge;
-  }
-  for (const BorderEdge& edge : border)
-  {
     edgeFrom[static_cast<std::size_t>(edge.StartId)] = &edge;
     edgeTo[static_cast<std::size_t>(edge.EndId)] = &edge;
   }
@@ -356,8 +345,10 @@ void AddJumpsOutside(const TriangleInterpolator& source, const std::vector<doubl
   for (std::size_t k = 0; k < border.size() && pulse.Beat(256); ++k)
   {
     const BorderEdge& edge = border[k];
-    rays.ListFrom(edge, *edgeTo[static_cast<std::size_t>(edge.StartId)],
-      *edgeFrom[static_cast<std::size_t>(edge.EndId)]);
+    // Where the border ends, by triangles on each other, an edge follows itself.
+    const BorderEdge* previous = edgeTo[static_cast<std::size_t>(edge.StartId)];
+    const BorderEdge* next = edgeFrom[static_cast<std::size_t>(edge.EndId)];
+    rays.ListFrom(edge, previous ? *previous : edge, next ? *next : edge);
   }
 }
 
