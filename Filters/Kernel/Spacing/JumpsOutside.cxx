@@ -248,58 +248,49 @@ private:
 
   /// Finds where a ray ends: the largest ball that touches the border where it starts, with its
   /// center on the ray, is made smaller until no other place of the border is in it, or it is far
-  /// smaller than both values. Starts from where the edge that ended the last ray would end this
-  /// one, else from a likely length.
+  /// smaller than both values. Starts from a likely length.
   void Cast(Ray& ray, double likely)
   {
     const double own = ray.Value;
-    const double below = this->LeastLength(ray);
     ray.Foot = ray.Start;
+    double most = Distance(ray.Start, this->Rule.Bounds.Center()) + this->Rule.Bounds.Diagonal();
+    for (const Point2& neighbor : this->Neighbors)
+    {
+      const double length = LengthTo(neighbor, ray);
+      if (length > 0.0 && 1.01 * length < most)
+      {
+        most = 1.01 * length;
+        ray.Foot = neighbor;
+      }
+    }
+    const double below = this->LeastLength(ray);
     ray.Other = own;
     ray.IsUseful = false;
-    double most = Distance(ray.Start, this->Rule.Bounds.Center()) + this->Rule.Bounds.Diagonal();
-    // A little longer: one search finds the end then, and sees that it is one.
-    const double more = this->ShareOf(own, 0.5 * Slight);
-    const auto shorten = [&ray, &most, more](const Point2& place)
-    {
-      const double length = LengthTo(place, ray);
-      const bool isNearer = length > 0.0 && length + more < most;
-      most = isNearer ? length + more : most;
-      ray.Foot = isNearer ? place : ray.Foot;
-      return isNearer;
-    };
-    shorten(this->Neighbors[0]);
-    shorten(this->Neighbors[1]);
     ray.Length = std::min(std::max(this->ShareOf(own, ShortRay), below), most);
-    const BorderEdge* last = this->Last;
-    while (last != nullptr && shorten(NearestOnEdge(*last, ray.Start + most * ray.Direction).Foot))
-    {
-      ray.Length = most;
-    }
     if (most <= below)
     {
       return;
     }
     NearestValue found = this->NearerAt(ray);
+    ray.Foot = found.Edge != nullptr ? found.Foot : ray.Foot;
+    ray.IsUseful = ray.Length > below || found.Edge == nullptr;
     for (double next = likely; found.Edge == nullptr && ray.Length < most; next = 4.0 * ray.Length)
     {
       ray.Length = std::min(std::max(ray.Length, next), most);
       found = this->NearerAt(ray);
     }
-    for (bool isLast = false; found.Edge != nullptr && !isLast;)
+    for (bool isLast = !ray.IsUseful; found.Edge != nullptr && !isLast;)
     {
-      this->Last = found.Edge;
       ray.Other = found.Value;
       ray.Foot = found.Foot;
       const double length = std::max(LengthTo(found.Foot, ray), 0.0);
       const double lower = std::min(own, found.Value);
       // Where rounding leaves the ball as it was, it is the last one, too.
       isLast = !(length < ray.Length - this->ShareOf(lower, Slight)) ||
-        length < this->ShareOf(lower, ShortRay) || length <= below;
+        length < this->ShareOf(lower, ShortRay);
       ray.Length = std::min(length, ray.Length);
       found = isLast ? found : this->NearerAt(ray);
     }
-    ray.IsUseful = ray.Length > below;
   }
 
   /// To where a place is as near as the start; not positive for one on the other side.
@@ -323,9 +314,8 @@ private:
   const std::vector<double>& Most;
   const SteepRule& Rule;
   SegmentSource& Edges;
-  std::array<Point2, 2> Neighbors;  ///< the next points of the border, before and behind the edge
-  const BorderEdge* Last = nullptr; ///< where the last ray ended; the next one may, too
-  bool IsSteep = false;             ///< the part of an edge that rays come from
+  std::array<Point2, 2> Neighbors; ///< the next points of the border, before and behind the edge
+  bool IsSteep = false;            ///< the part of an edge that rays come from
 };
 
 } // namespace
@@ -338,6 +328,12 @@ void AddJumpsOutside(const TriangleInterpolator& source, const std::vector<doubl
   std::vector<const BorderEdge*> edgeTo(most.size());
   for (const BorderEdge& edge : border)
   {
+    // Where the border ends, by triangles on each other, an edge follows itself.
+    edgeFrom[static_cast<std::size_t>(edge.EndId)] = &edge;
+    edgeTo[static_cast<std::size_t>(edge.StartId)] = &edge;
+  }
+  for (const BorderEdge& edge : border)
+  {
     edgeFrom[static_cast<std::size_t>(edge.StartId)] = &edge;
     edgeTo[static_cast<std::size_t>(edge.EndId)] = &edge;
   }
@@ -345,10 +341,8 @@ void AddJumpsOutside(const TriangleInterpolator& source, const std::vector<doubl
   for (std::size_t k = 0; k < border.size() && pulse.Beat(256); ++k)
   {
     const BorderEdge& edge = border[k];
-    // Where the border ends, by triangles on each other, an edge follows itself.
-    const BorderEdge* previous = edgeTo[static_cast<std::size_t>(edge.StartId)];
-    const BorderEdge* next = edgeFrom[static_cast<std::size_t>(edge.EndId)];
-    rays.ListFrom(edge, previous ? *previous : edge, next ? *next : edge);
+    rays.ListFrom(edge, *edgeTo[static_cast<std::size_t>(edge.StartId)],
+      *edgeFrom[static_cast<std::size_t>(edge.EndId)]);
   }
 }
 
