@@ -342,7 +342,7 @@ void CapAll(const CapRule& rule, SegmentSource& caps, Pulse& pulse)
   }
   for (const SegmentSource& range : ranges)
   {
-    caps.Add(range);
+    caps.Join(range);
   }
 }
 

@@ -177,19 +177,9 @@ public:
 
   void List(SegmentSource& edges, Pulse& pulse)
   {
-    std::vector<SegmentSource> parts(this->Rows);
-    ForRowsAtOnce(pulse, this->Rows, this->Columns,
-      [this, &parts](std::size_t first, std::size_t last)
-      {
-        for (std::size_t node = first * this->Columns; node < last * this->Columns; ++node)
-        {
-          this->ListNode(node % this->Columns, node / this->Columns, parts[node / this->Columns]);
-        }
-      });
-    for (const SegmentSource& part : parts)
-    {
-      edges.Add(part);
-    }
+    edges.Join(SumAtOnce(pulse, this->Grid.Values.size(), SegmentSource(),
+      [this](SegmentSource& part, std::size_t node)
+      { this->ListNode(node % this->Columns, node / this->Columns, part); }));
   }
 
 private:

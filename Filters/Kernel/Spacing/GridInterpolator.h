@@ -15,8 +15,8 @@ class GridInterpolator : public Source
 {
 public:
   /// At least one value is given. Where the grid does not reach the border of `bounds` it gets a
-  /// row or column of nodes there. Linear in the number of nodes, a search for each hole; incomplete
-  /// if the pulse stops.
+  /// row or column of nodes there. Linear in the number of nodes, a search for each hole;
+  /// incomplete if the pulse stops.
   GridInterpolator(
     const std::shared_ptr<const GridSource>& source, const Box2& bounds, Pulse& pulse);
 

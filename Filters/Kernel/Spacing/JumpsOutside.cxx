@@ -204,8 +204,7 @@ private:
     const bool isAlike = std::abs(last.Value - first.Value) <= 2.0 * Slight * least;
     const bool isFine = first.IsUseful == last.IsUseful
       ? width <= this->ShareOf(least, WidthOfPart) && this->AreOnChord(first, middle, last)
-      : this->HasNoUse(first.IsUseful ? first : last) ||
-        (isAlike && width <= this->ShareOf(least, LargestSag));
+      : isAlike && width <= this->ShareOf(least, LargestSag);
     if (isFine || divisions == MostDivisions)
     {
       this->AddChord(first, middle);
@@ -214,12 +213,6 @@ private:
     }
     this->Divide(first, middle, divisions + 1);
     this->Divide(middle, last, divisions + 1);
-  }
-
-  /// Where it ends, f is bounded by no more than its value anyway.
-  bool HasNoUse(const Ray& ray) const
-  {
-    return ray.Most + this->Rule.Slope * ray.Length <= ray.Value;
   }
 
   /// Whether a chord, and what bounds f where a ray starts, limit f as the ray does in between.
@@ -255,56 +248,49 @@ private:
 
   /// Finds where a ray ends: the largest ball that touches the border where it starts, with its
   /// center on the ray, is made smaller until no other place of the border is in it, or it is far
-  /// smaller than both values. Starts from where the edge that ended the last ray would end this
-  /// one, else from a likely length.
+  /// smaller than both values. Starts from a likely length.
   void Cast(Ray& ray, double likely)
   {
     const double own = ray.Value;
-    const double below = this->LeastLength(ray);
     ray.Foot = ray.Start;
+    double most = Distance(ray.Start, this->Rule.Bounds.Center()) + this->Rule.Bounds.Diagonal();
+    for (const Point2& neighbor : this->Neighbors)
+    {
+      const double length = LengthTo(neighbor, ray);
+      if (length > 0.0 && 1.01 * length < most)
+      {
+        most = 1.01 * length;
+        ray.Foot = neighbor;
+      }
+    }
+    const double below = this->LeastLength(ray);
     ray.Other = own;
     ray.IsUseful = false;
-    double most = Distance(ray.Start, this->Rule.Bounds.Center()) + this->Rule.Bounds.Diagonal();
-    const auto shorten = [&ray, &most](const Point2& place)
-    {
-      const double length = LengthTo(place, ray);
-      const bool isNearer = length > 0.0 && 1.01 * length < most;
-      most = isNearer ? 1.01 * length : most;
-      ray.Foot = isNearer ? place : ray.Foot;
-      return isNearer;
-    };
-    shorten(this->Neighbors[0]);
-    shorten(this->Neighbors[1]);
     ray.Length = std::min(std::max(this->ShareOf(own, ShortRay), below), most);
-    const BorderEdge* last = this->Last;
-    while (last != nullptr && shorten(NearestOnEdge(*last, ray.Start + most * ray.Direction).Foot))
-    {
-      ray.Length = most;
-    }
     if (most <= below)
     {
       return;
     }
     NearestValue found = this->NearerAt(ray);
+    ray.Foot = found.Edge != nullptr ? found.Foot : ray.Foot;
+    ray.IsUseful = ray.Length > below || found.Edge == nullptr;
     for (double next = likely; found.Edge == nullptr && ray.Length < most; next = 4.0 * ray.Length)
     {
       ray.Length = std::min(std::max(ray.Length, next), most);
       found = this->NearerAt(ray);
     }
-    for (bool isLast = false; found.Edge != nullptr && !isLast;)
+    for (bool isLast = !ray.IsUseful; found.Edge != nullptr && !isLast;)
     {
-      this->Last = found.Edge;
       ray.Other = found.Value;
       ray.Foot = found.Foot;
       const double length = std::max(LengthTo(found.Foot, ray), 0.0);
       const double lower = std::min(own, found.Value);
       // Where rounding leaves the ball as it was, it is the last one, too.
       isLast = !(length < ray.Length - this->ShareOf(lower, Slight)) ||
-        length < this->ShareOf(lower, ShortRay) || length <= below;
+        length < this->ShareOf(lower, ShortRay);
       ray.Length = std::min(length, ray.Length);
       found = isLast ? found : this->NearerAt(ray);
     }
-    ray.IsUseful = ray.Length > below;
   }
 
   /// To where a place is as near as the start; not positive for one on the other side.
@@ -328,9 +314,8 @@ private:
   const std::vector<double>& Most;
   const SteepRule& Rule;
   SegmentSource& Edges;
-  std::array<Point2, 2> Neighbors;  ///< the next points of the border, before and behind the edge
-  const BorderEdge* Last = nullptr; ///< where the last ray ended; the next one may, too
-  bool IsSteep = false;             ///< the part of an edge that rays come from
+  std::array<Point2, 2> Neighbors; ///< the next points of the border, before and behind the edge
+  bool IsSteep = false;            ///< the part of an edge that rays come from
 };
 
 } // namespace

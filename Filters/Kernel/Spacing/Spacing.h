@@ -87,7 +87,7 @@ struct SegmentSource
   }
 
   /// Adds the segments of another source that was filled by Add.
-  void Add(const SegmentSource& other)
+  void Join(const SegmentSource& other)
   {
     for (std::size_t k = 0; k < other.Points.size(); k += 2)
     {

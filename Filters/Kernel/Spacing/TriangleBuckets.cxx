@@ -7,7 +7,7 @@
 
 #include <algorithm> // for min, max
 #include <cmath>     // for abs, ilogb, sqrt
-#include <numeric>   // for iota, partial_sum
+#include <numeric>   // for iota
 #include <utility>   // for pairs
 
 namespace biting
@@ -66,8 +66,8 @@ private:
   struct Grid
   {
     int Levels;
-    std::vector<std::size_t> Begins;
-    std::vector<Id> Ids;
+    std::size_t Count; ///< of ids in all lists
+    IdLists Lists;
   };
 
   void Refine(const Square& square, const Id* first, const Id* last, double copies)
@@ -77,7 +77,7 @@ private:
     {
       const Grid grid = this->Deal(square, first, last);
       const double copiesBelow =
-        copies * static_cast<double>(count) / static_cast<double>(grid.Ids.size());
+        copies * static_cast<double>(count) / static_cast<double>(grid.Count);
       if (copiesBelow >= 1.0)
       {
         this->Descend(square, grid, grid.Levels, 0, copiesBelow);
@@ -95,8 +95,8 @@ private:
   {
     if (levels == 0)
     {
-      const Id* ids = grid.Ids.data();
-      this->Refine(square, ids + grid.Begins[place], ids + grid.Begins[place + 1], copies);
+      const IdLists::List list = grid.Lists[static_cast<Id>(place)];
+      this->Refine(square, list.begin(), list.end(), copies);
       return;
     }
     this->Whole.Tree.Split(square);
@@ -127,10 +127,10 @@ private:
   /// too many costs nothing but time.
   Grid Deal(const Square& square, const Id* first, const Id* last)
   {
-    Grid grid{ this->LevelsOf(square, first, last), {}, {} };
-    const std::size_t side = std::size_t(1) << grid.Levels;
+    const int levels = this->LevelsOf(square, first, last);
+    const std::size_t side = std::size_t(1) << levels;
     const double size = square.Size / static_cast<double>(side);
-    std::vector<std::pair<std::size_t, Id>> dealt;
+    std::vector<std::pair<Id, Id>> dealt;
     dealt.reserve(2 * static_cast<std::size_t>(last - first));
     for (const Id* id = first; id != last && this->Beats.Beat(1); ++id)
     {
@@ -152,23 +152,20 @@ private:
             size * Point2{ static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5 };
           if (MayMeet(corners, center, (0.5 + Room) * size))
           {
-            dealt.emplace_back(row * side + column, *id);
+            dealt.emplace_back(static_cast<Id>(row * side + column), *id);
           }
         }
       }
     }
-    grid.Begins.resize(side * side + 1, 0);
-    for (const auto& [place, id] : dealt)
-    {
-      ++grid.Begins[place];
-    }
-    std::partial_sum(grid.Begins.begin(), grid.Begins.end(), grid.Begins.begin());
-    grid.Ids.resize(dealt.size());
-    for (std::size_t k = dealt.size(); k-- > 0;)
-    {
-      grid.Ids[--grid.Begins[dealt[k].first]] = dealt[k].second;
-    }
-    return grid;
+    return { levels, dealt.size(),
+      IdLists(side * side,
+        [&dealt](const auto& add)
+        {
+          for (const auto& [place, id] : dealt)
+          {
+            add(place, id);
+          }
+        }) };
   }
 
   Box2 BoxOf(Id triangle) const

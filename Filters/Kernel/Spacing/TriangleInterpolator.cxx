@@ -9,7 +9,6 @@
 #include <algorithm> // for min, max, none_of, sort
 #include <cmath>     // for isfinite
 #include <cstdint>   // for sides
-#include <numeric>   // for partial_sum
 #include <utility>   // for move
 
 namespace biting
@@ -58,32 +57,31 @@ std::vector<BorderEdge> FindBorder(
   const TriangulatedSource& source, const std::vector<Id>& corners, Pulse& pulse)
 {
   using Side = std::uint32_t; // twice the higher end, and 1 where its triangle goes up there
-  std::vector<std::size_t> begins(source.Points.size() + 1, 0);
-  std::vector<Side> sides(corners.size());
-  const auto forEachSide = [&corners, &pulse](auto visit)
-  {
-    pulse.ForEach(corners.size(),
-      [&corners, &visit](std::size_t k)
-      {
-        const Id start = corners[k];
-        const Id end = corners[k % 3 == 2 ? k - 2 : k + 1];
-        visit(static_cast<std::size_t>(std::min(start, end)),
-          2 * static_cast<Side>(std::max(start, end)) + (start < end ? 1 : 0));
-      });
-  };
-  forEachSide([&begins](std::size_t low, Side) { ++begins[low]; });
-  std::partial_sum(begins.begin(), begins.end(), begins.begin());
-  forEachSide([&begins, &sides](std::size_t low, Side side) { sides[--begins[low]] = side; });
-  std::vector<BorderEdge> border;
-  pulse.ForEach(source.Points.size(),
-    [&source, &begins, &sides, &border](std::size_t start)
+  const auto nextOf = [&corners](std::size_t k) { return corners[k % 3 == 2 ? k - 2 : k + 1]; };
+  const IdLists sides(source.Points.size(),
+    [&corners, &nextOf, &pulse](const auto& add)
     {
-      const Side* last = sides.data() + begins[start + 1];
-      std::sort(sides.data() + begins[start], sides.data() + begins[start + 1]);
-      for (const Side* first = sides.data() + begins[start]; first < last;)
+      pulse.ForEach(corners.size(),
+        [&corners, &nextOf, &add](std::size_t k)
+        { add(std::min(corners[k], nextOf(k)), static_cast<Id>(k)); });
+    });
+  std::vector<BorderEdge> border;
+  std::vector<Side> around;
+  pulse.ForEach(source.Points.size(),
+    [&source, &corners, &nextOf, &sides, &border, &around](std::size_t start)
+    {
+      around.clear();
+      for (const Id side : sides[static_cast<Id>(start)])
+      {
+        const auto k = static_cast<std::size_t>(side);
+        around.push_back(2 * static_cast<Side>(std::max(corners[k], nextOf(k))) +
+          (corners[k] < nextOf(k) ? 1 : 0));
+      }
+      std::sort(around.begin(), around.end());
+      for (auto first = around.begin(); first != around.end();)
       {
         const Side own = *first;
-        first = std::find_if(first, last, [own](Side side) { return side / 2 != own / 2; });
+        first = std::find_if(first, around.end(), [own](Side side) { return side / 2 != own / 2; });
         if (first[-1] == own)
         {
           const std::size_t ends[2] = { start, static_cast<std::size_t>(own / 2) };

@@ -158,7 +158,7 @@ const std::map<std::string, Budget> Budgets = {
   { "Kernel/Relaxation", { 4650, 32 } },
   { "Kernel/Remeshing", { 5000, 40 } },
   { "Kernel/Simplification", { 1950, 19 } },
-  { "Kernel/Spacing", { 3800, 47 } },
+  { "Kernel/Spacing", { 3750, 47 } },
   { "Kernel/Stages", { 3600, 25 } },
   { "Kernel/Space/Delaunay", { 1450, 10 } },
   { "Kernel/Space/Features", { 1700, 14 } },
