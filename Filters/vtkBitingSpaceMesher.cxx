@@ -174,6 +174,7 @@ bool vtkBitingSpaceMesher::Execution::Check()
   }
   options.Noise = this->Given.Rounding.Most;
   options.FeatureAngle = this->Filter->FeatureAngle;
+  options.TellsThickness = false;
   options.Spacing = this->TakesOpen() ? biting::SpacingField() : this->Options.Spacing;
   biting::ProblemList found;
   this->Surface = biting::CheckSurface(std::move(this->Given.Mesh), options, found, this->Progress);

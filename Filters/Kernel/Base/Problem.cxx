@@ -3,7 +3,7 @@
 
 #include "Problem.h"
 
-#include <algorithm> // for find_if
+#include <algorithm> // for any_of, find_if, min
 #include <cmath>     // for ceil, floor, log10, pow
 #include <sstream>   // for figures
 #include <utility>   // for move
@@ -23,19 +23,18 @@ void ProblemList::Add(Problem problem)
 
 void ProblemList::Add(const ProblemGroup& group)
 {
-  for (const Problem& problem : group.First)
-  {
-    this->Add(problem);
-  }
-  this->GroupOf(group.Code).Count += group.Count - static_cast<std::int64_t>(group.First.size());
+  ProblemGroup& own = this->GroupOf(group.Code);
+  own.First.insert(own.First.end(), group.First.begin(), group.First.end());
+  own.First.resize(std::min(own.First.size(), KeptPerKind));
+  own.Count += group.Count;
 }
 
 ProblemGroup& ProblemList::GroupOf(ProblemCode code)
 {
   const auto group = std::find_if(this->Kinds.begin(), this->Kinds.end(),
     [code](const ProblemGroup& one) { return one.Code == code; });
-  return group == this->Kinds.end() ? this->Kinds.emplace_back(ProblemGroup{ code, 0, {} })
-                                    : *group;
+  return group != this->Kinds.end() ? *group
+                                    : this->Kinds.emplace_back(ProblemGroup{ code, 0, {} });
 }
 
 std::int64_t ProblemList::Count(ProblemCode code) const

@@ -115,7 +115,6 @@ public:
 
 private:
   ProblemGroup& GroupOf(ProblemCode code);
-
   std::vector<ProblemGroup> Kinds;
 };
 

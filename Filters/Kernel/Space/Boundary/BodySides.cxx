@@ -8,6 +8,7 @@
 #include "../../Predicates/Predicates3.h"
 #include "../Surface/SurfaceCrossings.h"
 #include "../Surface/SurfaceLinks.h"
+#include "../Surface/TriangleContact.h"
 #include "InsideTest.h"
 
 #include <algorithm> // for max, sort, find
@@ -208,7 +209,7 @@ private:
       [this, &place, &met](const SurfaceItem& item)
       {
         const std::array<Point3, 3> triangle = this->Mesh.Triangle(At(item.Triangle));
-        if (MeetsRay(triangle, place))
+        if (MeetRay(triangle, place) == RayMeeting::Yes)
         {
           const Point3 normal = this->Mesh.Normal(At(item.Triangle));
           const Point3 way = triangle[0] - place;

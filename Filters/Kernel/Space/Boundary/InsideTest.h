@@ -38,14 +38,9 @@ std::pair<Id, double> NearestTriangle(const SurfaceMesh& mesh, const BoxTree<Sur
   return nearest;
 }
 
-/// Whether the ray from the place along the first axis meets the triangle. Exact, and no ray meets
-/// an edge: the place counts as moved by an infinitesimal along the third axis and a smaller one
-/// along the second. For a place on the triangle the answer may be either.
-bool MeetsRay(const std::array<Point3, 3>& triangle, const Point3& place);
-
 /// On which side of surfaces that bound parts of space a place is: along a ray the label changes
 /// from one side of each triangle that it meets to the other, so the label of the place is the
-/// exclusive or of all of them (MeetsRay). Places on a surface are on either side.
+/// exclusive or of all of them (MeetRay). Places on a surface are on either side.
 class InsideTest
 {
 public:

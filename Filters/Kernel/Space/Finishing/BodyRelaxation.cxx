@@ -266,7 +266,7 @@ public:
   void Run()
   {
     constexpr int Sweeps = 4;
-    constexpr int Rounds = 8;
+    constexpr int MostRounds = 8;
     this->MergeThinFacets();
     for (int sweep = 0; sweep < Sweeps && this->GoOn(0.15 * sweep); ++sweep)
     {
@@ -274,18 +274,18 @@ public:
       this->ChangeBad(At35);
     }
     bool isChanged = true;
-    for (int round = 0; round < Rounds && isChanged && this->GoOn(0.6 + 0.03 * round); ++round)
+    for (int round = 0; round < MostRounds && isChanged && this->GoOn(0.6 + 0.03 * round); ++round)
     {
       isChanged = this->MoveBad(At35);
       isChanged = this->ChangeBad(At38) || isChanged;
     }
     isChanged = true;
-    for (int round = 0; round < Rounds && isChanged && this->GoOn(0.84 + 0.01 * round); ++round)
+    for (int round = 0; round < MostRounds && isChanged && this->GoOn(0.84 + 0.01 * round); ++round)
     {
       isChanged = this->LoosenWorst(At30);
     }
     isChanged = true;
-    for (Id round = 0; round < Rounds && isChanged && this->GoOn(0.92 + 0.01 * round); ++round)
+    for (Id round = 0; round < MostRounds && isChanged && this->GoOn(0.92 + 0.01 * round); ++round)
     {
       isChanged = this->TryWorst(round);
     }
@@ -294,9 +294,9 @@ public:
 
   void RemoveFlat()
   {
-    constexpr int Rounds = 4;
+    constexpr int MostRounds = 4;
     bool isChanged = true;
-    for (int round = 0; round < Rounds && isChanged && this->Beats.Ask(); ++round)
+    for (int round = 0; round < MostRounds && isChanged && this->Beats.Ask(); ++round)
     {
       isChanged = this->ChangeBad(At1);
     }

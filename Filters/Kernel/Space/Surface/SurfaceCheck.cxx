@@ -74,7 +74,10 @@ void SurfaceChecker::Run(Monitor& monitor)
   this->TellContacts(tree);
   OrientByNesting(this->Mesh, this->Links, tree, this->Result.Shells, this->Beats);
   monitor.BeginStage("Measuring");
-  this->Result.Thickness = SmallestThickness(this->Mesh, tree, this->Result.Shells, this->Beats);
+  if (this->Options.TellsThickness)
+  {
+    this->Result.Thickness = SmallestThickness(this->Mesh, tree, this->Result.Shells, this->Beats);
+  }
   this->CollectFeatures();
   this->Measure();
 }

@@ -27,6 +27,7 @@ struct SurfaceCheckOptions
   Point3 Rounding;            ///< along each axis: vertices of open edges that near are one
   double Noise = 0.0;         ///< contacts that are not deeper only touch
   double FeatureAngle = 40.0; ///< degrees by which the surface turns at a feature
+  bool TellsThickness = true; ///< the smallest, which is 0 else
   SpacingField Spacing;       ///< f: holes and slits that are narrow for it are closed; empty: none
 };
 

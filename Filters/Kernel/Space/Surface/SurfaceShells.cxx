@@ -5,8 +5,7 @@
 
 #include "../../Base/DisjointSets.h"
 #include "../../Base/Numbers.h"
-#include "../../Predicates/Predicates.h"
-#include "TriangleContact.h" // for HeightOver
+#include "TriangleContact.h" // for MeetRay
 
 #include <algorithm> // for count_if, find, max, min, sort, upper_bound
 #include <cstdint>   // for marks
@@ -166,40 +165,6 @@ void FindParts(const SurfaceMesh& mesh, SurfaceShells& shells)
     number = number == NoId ? shells.NumberOfParts++ : number;
     shells.RegionOf[t] = number;
   }
-}
-
-// Sign of (a, b, p) where p is moved by (e, e^2), for an e that is small beyond all numbers: never
-// 0 where a and b differ.
-int MovedSide(const Point2& a, const Point2& b, const Point2& p)
-{
-  const int side = Orient2D(a, b, p);
-  const double slope = a.Y != b.Y ? a.Y - b.Y : b.X - a.X;
-  return side != 0 ? side : (slope > 0.0) - (slope < 0.0);
-}
-
-enum class RayMeeting
-{
-  No,
-  Yes,
-  Touches ///< where the ray begins
-};
-
-// Whether the ray from p along x, moved by (e, e^2) along y and z, meets the triangle.
-RayMeeting MeetRay(const std::array<Point3, 3>& triangle, const Point3& p)
-{
-  const auto shadow = [](const Point3& a) { return Point2{ a.Y, a.Z }; };
-  const Point2 a = shadow(triangle[0]);
-  const Point2 b = shadow(triangle[1]);
-  const Point2 c = shadow(triangle[2]);
-  const int side = MovedSide(a, b, shadow(p));
-  if (side == 0 || MovedSide(b, c, shadow(p)) != side || MovedSide(c, a, shadow(p)) != side)
-  {
-    return RayMeeting::No;
-  }
-  // The shadow is counterclockwise (side > 0) if the normal has a positive x: then p is before the
-  // triangle where it is behind its back.
-  const int height = HeightOver(triangle, p);
-  return height == 0 ? RayMeeting::Touches : height * side < 0 ? RayMeeting::Yes : RayMeeting::No;
 }
 
 // How many closed shells other than its own are around the point; NoId where one touches it.

@@ -22,6 +22,15 @@ Point2 Shadow(const Point3& p, std::size_t axis)
   return { p[(axis + 1) % 3], p[(axis + 2) % 3] };
 }
 
+// Sign of (a, b, p) where p is moved by (e, e^2), for an e that is small beyond all numbers: never
+// 0 where a and b differ.
+int MovedSide(const Point2& a, const Point2& b, const Point2& p)
+{
+  const int side = Orient2D(a, b, p);
+  const double slope = a.Y != b.Y ? a.Y - b.Y : b.X - a.X;
+  return side != 0 ? side : (slope > 0.0) - (slope < 0.0);
+}
+
 // Where the triangle and pq lie in one plane: by their shadows along an axis that keep the triangle
 // a triangle.
 bool MeetsInPlane(const Triangle3& t, const Point3& p, const Point3& q, Point3& place)
@@ -143,6 +152,22 @@ bool IsBeside(const Triangle3& a, const Triangle3& b, std::size_t shared)
 int HeightOver(const Triangle3& triangle, const Point3& p)
 {
   return Orient3D(triangle[0], triangle[1], triangle[2], p);
+}
+
+RayMeeting MeetRay(const Triangle3& triangle, const Point3& p)
+{
+  const Point2 a = Shadow(triangle[0], 0);
+  const Point2 b = Shadow(triangle[1], 0);
+  const Point2 c = Shadow(triangle[2], 0);
+  const int side = MovedSide(a, b, Shadow(p, 0));
+  if (side == 0 || MovedSide(b, c, Shadow(p, 0)) != side || MovedSide(c, a, Shadow(p, 0)) != side)
+  {
+    return RayMeeting::No;
+  }
+  // The shadow is counterclockwise (side > 0) if the normal has a positive x: then p is before the
+  // triangle where it is behind its back.
+  const int height = HeightOver(triangle, p);
+  return height == 0 ? RayMeeting::Touches : height * side < 0 ? RayMeeting::Yes : RayMeeting::No;
 }
 
 bool Meets(const Triangle3& triangle, const Point3& p, const Point3& q, Point3& place)
