@@ -55,10 +55,10 @@
  * where the array is NaN, or `vtkValidPointMask` of a resampling 0, are no source; nor are values
  * that are zero, negative or infinite at points outside of the domain, as fill values are. Blocks
  * of a composite dataset are one source: those that have the array, of whatever numeric type; where
- * they, or cells, overlap the smallest value counts. Where the domain reaches out of the source by
- * more than the distance of its points, a warning says what share of it, and where. The times of
- * the output are those of all inputs, so that a source that changes with time gives a mesh anew at
- * each.
+ * they, or cells, overlap the smallest value counts; beside cells that overlap at random f may be
+ * wrong by a quarter. Where the domain reaches out of the source by more than the distance of its
+ * points, a warning says what share of it, and where. The times of the output are those of all
+ * inputs, so that a source that changes with time gives a mesh anew at each.
  *
  * @par Spacing:
  * f is a wanted edge length, in the units of the coordinates. It is the minimum of what is given at
