@@ -90,8 +90,7 @@ public:
       {
         break;
       }
-      // Where parts are torn though no facet is at fault, facets that are far from the surface
-      // close connections and tunnels off.
+      // Facets far from the surface close connections and holes off, though none is at fault.
       if (faults == 0 || (round >= RoundsForSoft && this->AreSoft()))
       {
         if (torn < MostTorn && !this->Compare().IsSame &&
@@ -106,11 +105,10 @@ public:
       }
       // Where no faults go, lines are noise, or f never suits.
       constexpr std::size_t MostGrowth = 4;
-      first = round == 0 ? faults : first;
+      first = first == 0 ? faults : first;
       const bool isDropped = faults >= before && this->DropLostFeatures();
-      const bool isHopeless = faults > MostGrowth * first;
       const std::vector<Id> faulty = FaultyBites(this->Boundary.Offences, torn == 0);
-      if (!isDropped && (isHopeless || !this->LowerSizes(faulty)))
+      if (!isDropped && (faults > MostGrowth * first || !this->LowerSizes(faulty)))
       {
         break;
       }
