@@ -143,12 +143,11 @@ private:
     std::sort(edges.begin(), edges.end());
     for (std::size_t k = 0; k < this->Body.PieceEnds.size(); k += 2)
     {
-      const Id a = this->Body.PieceEnds[k];
-      const Id b = this->Body.PieceEnds[k + 1];
-      if (!std::binary_search(
-            edges.begin(), edges.end(), std::pair<Id, Id>(std::min(a, b), std::max(a, b))))
+      const std::pair<Id, Id> edge =
+        std::minmax(this->Body.PieceEnds[k], this->Body.PieceEnds[k + 1]);
+      if (!std::binary_search(edges.begin(), edges.end(), edge))
       {
-        this->Refuse("a feature line with a gap", a);
+        this->Refuse("a feature line with a gap", edge.first);
       }
     }
   }
@@ -174,11 +173,9 @@ private:
     for (std::size_t tet = 0; tet < this->Body.Regions.size(); ++tet)
     {
       const Id* corners = &this->Body.Corners[4 * tet];
-      const Point3& a = this->Body.Points[At(corners[0])];
-      volumes[At(this->Body.Regions[tet])] +=
-        Dot(Cross(this->Body.Points[At(corners[1])] - a, this->Body.Points[At(corners[2])] - a),
-          this->Body.Points[At(corners[3])] - a) /
-        6.0;
+      const auto edge = [this, corners](std::size_t k)
+      { return this->Body.Points[At(corners[k])] - this->Body.Points[At(corners[0])]; };
+      volumes[At(this->Body.Regions[tet])] += Dot(Cross(edge(1), edge(2)), edge(3)) / 6.0;
     }
     const std::vector<Id>& regions = this->Body.Regions;
     for (std::size_t label = 1; label < given.size(); ++label)

@@ -76,8 +76,7 @@ private:
       }
     }
     this->Bodies = FindBodies(this->Surface.Mesh, pulse);
-    const Id open = this->Bodies.OpenTriangle;
-    if (open != NoId && MayGoOn(this->Problems, pulse))
+    if (this->Bodies.OpenTriangle != NoId && MayGoOn(this->Problems, pulse))
     {
       this->RefuseSides();
     }
@@ -213,9 +212,8 @@ private:
     const SurfaceBoundary& boundary = this->Certified.Boundary;
     constexpr int MostRounds = 8;
     BodyCells cells;
-    std::vector<Point3> points;
-    points.reserve(At(this->NumberOnBoundary()) + this->Inside.Centers.size());
-    points = this->Certified.Bites.Centers;
+    std::vector<Point3> points = this->Certified.Bites.Centers;
+    points.reserve(points.size() + this->Inside.Centers.size());
     points.insert(points.end(), this->Inside.Centers.begin(), this->Inside.Centers.end());
     std::vector<Point3>().swap(this->Inside.Centers);
     for (int round = 0; round < MostRounds; ++round)
@@ -356,7 +354,6 @@ private:
     this->Listener.BeginStage("Checking");
     Pulse pulse(this->Listener);
     BodyVerdict verdict = CheckBody(this->Surface, this->Bodies.Sides, this->Body, pulse);
-    const std::size_t onBoundary = At(this->Body.NumberOnBoundary);
     BitingBody mesh;
     BitingSurface& boundary = mesh.Boundary;
     const auto begin = this->Body.Points.begin();
@@ -378,7 +375,7 @@ private:
         isOwn ? verdict.Place : whole.Place, isOwn ? verdict.What : whole.What);
     }
     boundary.Spacing.assign(
-      this->Body.Sizes.begin(), this->Body.Sizes.begin() + static_cast<std::ptrdiff_t>(onBoundary));
+      this->Body.Sizes.begin(), this->Body.Sizes.begin() + this->Body.NumberOnBoundary);
     boundary.Corners = std::move(this->Body.Facets);
     this->DescribeBoundary(boundary, pulse);
     mesh.BoundaryCells = std::move(verdict.CellsBehind);

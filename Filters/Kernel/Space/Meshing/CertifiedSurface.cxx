@@ -11,9 +11,10 @@
 #include "../Surface/SurfaceCrossings.h"
 #include "ExpectedVertices.h"
 
-#include <algorithm> // for all_of, fill_n, max, min
+#include <algorithm> // for fill_n, max, min
 #include <cmath>     // for isfinite, sqrt
 #include <limits>    // for counts
+#include <numeric>   // for exclusive_scan
 #include <utility>   // for move
 
 namespace biting
@@ -34,6 +35,21 @@ std::vector<std::uint8_t> UsedBites(const SurfaceBites& bites, const SurfaceBoun
   return isUsed;
 }
 
+/// The bites of offences.
+std::vector<Id> FaultyBites(const std::vector<BoundaryOffence>& offences, bool withTurned)
+{
+  std::vector<Id> bites;
+  for (const BoundaryOffence& offence : offences)
+  {
+    if (withTurned || offence.Fault != BoundaryFault::Turned)
+    {
+      bites.push_back(offence.Bite);
+      bites.push_back(offence.Other == NoId ? offence.Bite : offence.Other);
+    }
+  }
+  return bites;
+}
+
 class SurfaceCertifier
 {
 public:
@@ -46,8 +62,7 @@ public:
     , Bites(result.Bites)
     , Tree(result.Tree)
     , Boundary(result.Boundary)
-    , Asked(result.AskedVertices)
-    , RoundsForFar(options.BoundaryTolerance > 0.0 ? result.RoundsForFar : 0)
+    , Result(result)
     , Problems(problems)
     , Beats(monitor)
   {
@@ -64,33 +79,43 @@ public:
     bool isDone = this->MayGoOn();
     std::size_t before = std::numeric_limits<std::size_t>::max();
     std::size_t first = 0;
-    for (int round = 0; isDone && round < MostRounds; ++round)
+    int torn = 0;
+    for (int round = 0; isDone && round < MostRounds + 2 * torn; ++round)
     {
       const PulsePart part(this->Beats, 1.0 - 1.0 / (1 << round), 1.0);
       this->Bite();
       isDone = this->MayGoOn();
       const std::size_t faults = this->Boundary.Offences.size();
-      if (!isDone || this->Boundary.Offences.empty())
+      if (!isDone)
       {
         break;
       }
-      if (round >= RoundsForSoft && this->AreSoft())
+      // Facets far from the surface close connections and holes off, though none is at fault.
+      if (faults == 0 || (round >= RoundsForSoft && this->AreSoft()))
       {
+        if (torn < MostTorn && !this->Compare().IsSame &&
+          this->LowerSizes(this->FindFar(LeastTornShare)))
+        {
+          ++torn;
+          before = std::numeric_limits<std::size_t>::max();
+          continue;
+        }
         this->GiveUpSoft();
         break;
       }
       // Where no faults go, lines are noise, or f never suits.
       constexpr std::size_t MostGrowth = 4;
-      first = round == 0 ? faults : first;
+      first = first == 0 ? faults : first;
       const bool isDropped = faults >= before && this->DropLostFeatures();
-      if (!isDropped && (faults > MostGrowth * first || !this->LowerSizes()))
+      const std::vector<Id> faulty = FaultyBites(this->Boundary.Offences, torn == 0);
+      if (!isDropped && (faults > MostGrowth * first || !this->LowerSizes(faulty)))
       {
         break;
       }
       before = isDropped ? std::numeric_limits<std::size_t>::max() : faults;
     }
-    for (int round = 0;
-         round < this->RoundsForFar && isDone && this->MayGoOn() && this->BiteWhereFar(); ++round)
+    int left = isDone ? this->Result.RoundsForFar : 0;
+    while (left-- > 0 && this->MayGoOn() && this->BiteWhereFar())
     {
     }
     for (const Id vertex : this->Ground.Vanished)
@@ -105,7 +130,9 @@ public:
 private:
   static constexpr int MostRounds = 8;
   static constexpr int RoundsForSoft = 2;        ///< in which f was lowered or lines were given up
+  static constexpr int MostTorn = 4;             ///< rounds, each with another one for faults
   static constexpr double LeastFarShare = 0.125; ///< of the given f: no smaller one is halved
+  static constexpr double LeastTornShare = 0.0625; ///< so where parts are torn
 
   void Bite()
   {
@@ -162,13 +189,18 @@ private:
     {
       return false;
     }
-    const WholeVerdict verdict = CheckWhole(this->Surface, this->Bites.Centers,
-      this->Boundary.Corners, this->Boundary.Triangles, this->Beats);
+    const WholeVerdict verdict = this->Compare();
     if (!verdict.IsSame)
     {
       this->Refuse(ProblemCode::TooThin, verdict.Place, verdict.Triangle, verdict.What);
     }
     return verdict.IsSame;
+  }
+
+  WholeVerdict Compare()
+  {
+    return CheckWhole(this->Surface, this->Bites.Centers, this->Boundary.Corners,
+      this->Boundary.Triangles, this->Beats);
   }
 
   void MakeGround()
@@ -201,8 +233,8 @@ private:
       ground.Given.push_back(size);
     }
     const auto most = static_cast<double>(this->Options.MaximumNumberOfVertices);
-    this->Asked = ExpectedVertices(ground.Mesh, this->Spacing, most);
-    if (this->Asked > most)
+    this->Result.AskedVertices = ExpectedVertices(ground.Mesh, this->Spacing, most);
+    if (this->Result.AskedVertices > most)
     {
       this->RefuseSize();
       return;
@@ -291,32 +323,35 @@ private:
     }
   }
 
+  double GivenAt(Id bite) const
+  {
+    const std::size_t first = 3 * At(this->Bites.Triangles[At(bite)]);
+    return this->Ground.Given[At(this->Ground.Mesh.Corners[first])];
+  }
+
   /// Whether the boundary is sound but for turned facets, and bites that are none of its vertices
   /// though one is nearer than half of the given f: edges too sharp for f are cut off there.
   bool AreSoft() const
   {
-    const std::vector<BoundaryOffence>& offences = this->Boundary.Offences;
     const std::vector<std::uint8_t> isUsed = UsedBites(this->Bites, this->Boundary);
-    const auto isNear = [this, &isUsed](Id bite)
+    for (const BoundaryOffence& offence : this->Boundary.Offences)
     {
-      const Id triangle = this->Bites.Triangles[At(bite)];
-      const double reach =
-        0.5 * this->Ground.Given[At(this->Ground.Mesh.Corners[3 * At(triangle)])];
-      bool isSo = false;
-      for (std::size_t k = 0; k < isUsed.size() && !isSo; ++k)
+      bool isSoft = offence.Fault == BoundaryFault::Turned;
+      if (offence.Fault == BoundaryFault::Missing && offence.Bite >= this->Bites.NumberOnLines)
       {
-        isSo =
-          isUsed[k] != 0 && Distance(this->Bites.Centers[k], this->Bites.Centers[At(bite)]) < reach;
+        const double reach = 0.5 * this->GivenAt(offence.Bite);
+        const Point3& place = this->Bites.Centers[At(offence.Bite)];
+        for (std::size_t k = 0; k < isUsed.size() && !isSoft; ++k)
+        {
+          isSoft = isUsed[k] != 0 && Distance(this->Bites.Centers[k], place) < reach;
+        }
       }
-      return isSo;
-    };
-    return std::all_of(offences.begin(), offences.end(),
-      [this, &isNear](const BoundaryOffence& offence)
+      if (!isSoft)
       {
-        return offence.Fault == BoundaryFault::Turned ||
-          (offence.Fault == BoundaryFault::Missing && offence.Bite >= this->Bites.NumberOnLines &&
-            isNear(offence.Bite));
-      });
+        return false;
+      }
+    }
+    return true;
   }
 
   /// Takes the boundary as it is, and the bites away that are none of its vertices.
@@ -339,11 +374,8 @@ private:
       }
       list.resize(next);
     };
-    std::vector<Id> numbers(isUsed.size(), 0);
-    for (std::size_t k = 1; k < numbers.size(); ++k)
-    {
-      numbers[k] = numbers[k - 1] + isUsed[k - 1];
-    }
+    std::vector<Id> numbers(isUsed.size());
+    std::exclusive_scan(isUsed.begin(), isUsed.end(), numbers.begin(), Id{ 0 });
     for (Id& bite : this->Boundary.Corners)
     {
       bite = numbers[At(bite)];
@@ -382,18 +414,19 @@ private:
     return !chains.empty();
   }
 
-  bool LowerSizes()
+  /// Halves f at the bites. Whether it is lower then.
+  bool LowerSizes(const std::vector<Id>& bites)
   {
     bool isLower = false;
-    for (const BoundaryOffence& offence : this->Boundary.Offences)
+    for (const Id bite : bites)
     {
-      for (const Id bite : { offence.Bite, offence.Other })
+      const double wanted = 0.5 * this->Bites.Sizes[At(bite)];
+      const std::size_t first = 3 * At(this->Bites.Triangles[At(bite)]);
+      for (std::size_t slot = first; slot < first + 3; ++slot)
       {
-        if (bite == NoId)
-        {
-          continue;
-        }
-        isLower = this->LowerAt(bite) || isLower;
+        double& size = this->Ground.Sizes[At(this->Ground.Mesh.Corners[slot])];
+        isLower = isLower || wanted < size;
+        size = std::min(size, wanted);
       }
     }
     if (isLower)
@@ -403,45 +436,15 @@ private:
     return isLower;
   }
 
-  /// Halves f at the bite.
-  bool LowerAt(Id bite)
-  {
-    bool isLower = false;
-    const Id triangle = this->Bites.Triangles[At(bite)];
-    for (std::size_t slot = 3 * At(triangle); slot < 3 * At(triangle) + 3; ++slot)
-    {
-      double& size = this->Ground.Sizes[At(this->Ground.Mesh.Corners[slot])];
-      const double wanted = 0.5 * this->Bites.Sizes[At(bite)];
-      isLower = isLower || wanted < size;
-      size = std::min(size, wanted);
-    }
-    return isLower;
-  }
-
-  /// f at the bite in units of the given one.
-  double ShareAt(Id bite) const
-  {
-    const Id triangle = this->Bites.Triangles[At(bite)];
-    return this->Bites.Sizes[At(bite)] /
-      this->Ground.Given[At(this->Ground.Mesh.Corners[3 * At(triangle)])];
-  }
-
   /// Bites anew with half of f where facets are far from the surface: turns too sharp for a quarter
   /// of the given f. Whether there are any, and the certificates hold again; else all stays.
   bool BiteWhereFar()
   {
-    constexpr std::int64_t MostGrowth = 4; // half of f makes four times the vertices
-    const std::vector<Id> far = this->FindFar();
-    if (far.empty() || MostGrowth * this->Bites.Size() > this->Options.MaximumNumberOfVertices)
+    SurfaceGround ground = this->Ground;
+    if (!this->LowerSizes(this->FindFar(LeastFarShare)))
     {
       return false;
     }
-    SurfaceGround ground = this->Ground;
-    for (const Id bite : far)
-    {
-      this->LowerAt(bite);
-    }
-    this->Regrade();
     SurfaceBites bites = std::move(this->Bites);
     SurfaceBoundary boundary = std::move(this->Boundary);
     this->Bite();
@@ -457,14 +460,21 @@ private:
 
   /// The bites at facets whose middles are farther from the surface than twice the tolerance. A
   /// ridge that turns by FeatureAngle is .14 edges from a facet across it, however small that is.
-  std::vector<Id> FindFar()
+  /// None where half of f there may make too many vertices.
+  std::vector<Id> FindFar(double leastShare)
   {
+    constexpr std::int64_t MostGrowth = 4; // half of f makes four times the vertices
+    if (!(this->Options.BoundaryTolerance > 0.0) ||
+      MostGrowth * this->Bites.Size() > this->Options.MaximumNumberOfVertices)
+    {
+      return {};
+    }
     constexpr std::size_t CheapSteps = 31;
     const std::size_t facets = this->Boundary.Triangles.size();
     const std::vector<Id>& corners = this->Boundary.Corners;
     std::vector<std::uint8_t> isFar(facets, 0);
     ForRowsAtOnce(this->Beats, facets, CheapSteps,
-      [this, &corners, &isFar](std::size_t begin, std::size_t end)
+      [this, leastShare, &corners, &isFar](std::size_t begin, std::size_t end)
       {
         for (std::size_t t = begin; t < end; ++t)
         {
@@ -476,12 +486,12 @@ private:
             const std::size_t bite = At(corners[slot]);
             middle = middle + (1.0 / 3.0) * this->Bites.Centers[bite];
             size += this->Bites.Sizes[bite] / 3.0;
-            least = std::min(least, this->ShareAt(corners[slot]));
+            least = std::min(least, this->Bites.Sizes[bite] / this->GivenAt(corners[slot]));
           }
           const double most = 2.0 * this->Options.BoundaryTolerance * size;
           const bool isNear =
             NearestTriangle(this->Surface.Mesh, this->Tree, middle, most).first != NoId;
-          isFar[t] = least > LeastFarShare && !isNear ? 1 : 0;
+          isFar[t] = least > leastShare && !isNear ? 1 : 0;
         }
       });
     std::vector<Id> far;
@@ -502,8 +512,7 @@ private:
   SurfaceBites& Bites;
   BoxTree<SurfaceItem, 3>& Tree;
   SurfaceBoundary& Boundary;
-  double& Asked;
-  const int RoundsForFar;
+  CertifiedSurface& Result;
   ProblemList& Problems;
   Pulse Beats;
 };

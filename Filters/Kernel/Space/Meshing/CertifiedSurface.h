@@ -25,16 +25,15 @@ struct CertifiedSurface
   BoxTree<SurfaceItem, 3> Tree; ///< of the surface
   SurfaceBoundary Boundary;     ///< without offences
   double AskedVertices = 0.0;   ///< about how many f as given asks for
-
-  /// At most so many rounds halve f where facets are far from the surface. As given.
-  int RoundsForFar = 0;
+  int RoundsForFar = 0;         ///< as given: at most so many halve f where facets are far
 };
 
 /// Fills `result`, in rounds: where certificates fail, f is lowered or turning lines are given up.
-/// Where edges stay too sharp for f, facets may be turned and points of the surface be up to 1.44 f
-/// from the mesh, .94 f from a bite that is f / 2 from a vertex: the problem LostFeatures. Where
-/// facets are then farther from the surface than twice the tolerance, f is halved, in RoundsForFar
-/// rounds; a round that fails is taken back.
+/// Where only parts differ from those of the surface (CheckWhole), f is halved at facets far from
+/// it, in four rounds at most. Where edges stay too sharp for f, facets may be turned and points of
+/// the surface be up to 1.44 f from the mesh, .94 f from a bite that is f / 2 from a vertex: the
+/// problem LostFeatures. Where facets are then farther from the surface than twice the tolerance, f
+/// is halved, in RoundsForFar rounds; a round that fails is taken back.
 /// `sides`: of each triangle of the surface, the labels of space behind and in front; empty where
 /// it bounds nothing. False, with problems, where this fails or the monitor asks to stop.
 bool CertifySurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,

@@ -32,8 +32,7 @@ inline double ExpectedVertices(
     {
       const std::array<Point3, 3> p = pieces.back();
       pieces.pop_back();
-      const Point3 middle = (1.0 / 3.0) * (p[0] + p[1] + p[2]);
-      const double own = f(middle);
+      const double own = f((1.0 / 3.0) * (p[0] + p[1] + p[2]));
       double low = own;
       double high = own;
       std::size_t longest = 0; // its edge goes to the next corner

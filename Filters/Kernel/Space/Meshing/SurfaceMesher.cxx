@@ -38,8 +38,7 @@ RelaxedSurface Bitten(const CertifiedSurface& certified)
   for (std::size_t end = 0; end < bites.PieceEnds.size(); ++end)
   {
     const Id bite = bites.PieceEnds[end];
-    const Id chain = bites.PieceChains[end / 2];
-    relaxed.Chains[At(bite)] = bite < bites.NumberOfCorners ? NoId : chain;
+    relaxed.Chains[At(bite)] = bite < bites.NumberOfCorners ? NoId : bites.PieceChains[end / 2];
   }
   return relaxed;
 }

@@ -372,6 +372,20 @@ TEST(SurfaceMesher, LowersTheSpacingAtRoundingsTooSharpForAQuarterOfIt)
   }
 }
 
+TEST(SurfaceMesher, KeepsHolesThatFacetsCloseThoughNoneIsAtFault)
+{
+  for (const double radius : { 0.035, 0.045, 0.05, 0.055 }) // in f
+  {
+    const Meshed meshed = MakeMesh(
+      Turned(
+        { { radius, -1.0 }, { 2.0, -1.0 }, { 2.0, 1.0 }, { radius, 1.0 }, { radius, -1.0 } }, 12),
+      Uniform(1.0));
+    ASSERT_FALSE(meshed.Problems.HasErrors()) << radius;
+    EXPECT_TRUE(IsClosed(meshed.Mesh)) << radius;
+    EXPECT_EQ(EulerNumber(meshed.Mesh), 0) << radius;
+  }
+}
+
 TEST(SurfaceMesher, MeshesABoxWithItsEdgesAndCorners)
 {
   const Meshed meshed = MakeMesh(BoxOf({ 1.0, 1.0, 1.0 }), Uniform(0.1));
