@@ -19,8 +19,9 @@ void FlagFeatures(
 void FindChains(SurfaceGround& ground);
 
 /// Merges the two corners of each chain shorter than a tenth of f as given. The other chains of the
-/// corner that goes are continued along that chain, to the corner that stays. A chain shorter than
-/// .3 f that comes back to its corner goes; Vanished has that corner if it was no turning line.
+/// corner that goes are continued along that chain, to the corner that stays. A chain that comes
+/// back to its corner goes where it is shorter than a tenth of f, or became one shorter than .3 f
+/// so; Vanished has that corner if it was no turning line.
 void MergeCorners(SurfaceGround& ground);
 
 /// Takes away the flags of chains of turning edges that are shorter than f and end in nothing:

@@ -8,6 +8,7 @@
 #include "VertexMoves.h"
 
 #include <algorithm> // for all_of, any_of, copy_if, sort, unique
+#include <cmath>     // for abs
 #include <cstddef>   // for ptrdiff_t
 #include <iterator>  // for back_inserter
 #include <set>       // for steps that were tried
@@ -66,7 +67,8 @@ protected:
     {
       const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
       const auto isNew = [this, round](Id vertex) { return this->Rounds[At(vertex)] >= round; };
-      if (this->IsBad(cell, At30) && -this->Tets.Badness[At(cell)] == badness &&
+      if (this->TrialsLeft > 0 && this->IsBad(cell, At30) &&
+        std::abs(this->Tets.Badness[At(cell)] + badness) < LeastGain &&
         std::any_of(corners.begin(), corners.end(), isNew) && this->Beats.Ask() &&
         this->TryAt(cell))
       {

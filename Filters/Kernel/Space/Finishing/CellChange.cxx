@@ -112,10 +112,23 @@ void CellChange::AddWalls(BodyTets& tets)
       }
     }
   }
+  // Where a change is taken back whose last cell at a facet went, the cell beyond has that facet.
+  for (const NewFacet& facet : this->Facets)
+  {
+    for (const std::size_t half : { 0, 1 })
+    {
+      const Id slot = tets.FacetSlots[At(2 * facet.Record) + half];
+      if (slot != NoId && tets.Stamps[At(TetMesh::CellOf(slot))] != tets.Stamp)
+      {
+        this->Sides.push_back({ Sorted(tets.FacetCorners(slot)), slot, NoId, NoId });
+      }
+    }
+  }
   for (const Side& side : this->Sides)
   {
     for (const Id corner : side.Corners)
     {
+      tets.Touched[At(corner)] = tets.Clock;
       tets.Mesh.VertexCells[At(corner)] =
         side.Slot != NoId ? TetMesh::CellOf(side.Slot) : tets.Mesh.VertexCells[At(corner)];
     }

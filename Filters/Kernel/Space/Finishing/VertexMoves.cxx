@@ -295,8 +295,13 @@ void VertexMoves::TakeBack()
     }
     this->Tets.Mesh.Points[At(vertex)] = change->Place;
     this->Tets.Body.Sizes[At(vertex)] = change->Size;
+    ++this->Tets.Clock;
     for (const Id slot : this->Tets.StarOf(vertex))
     {
+      for (const Id corner : this->Tets.CornersOf(slot >> 2))
+      {
+        this->Tets.Touched[At(corner)] = this->Tets.Clock;
+      }
       this->Tets.Badness[At(slot >> 2)] = this->Tets.BadnessOf(this->Tets.CornersOf(slot >> 2));
     }
   }

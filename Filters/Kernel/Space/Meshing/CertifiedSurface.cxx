@@ -124,7 +124,7 @@ public:
         "a hole, or a wall at an edge of more than two triangles, that is smaller than a tenth of "
         "the spacing" });
     }
-    return isDone && this->IsCertified() && this->MayGoOn();
+    return isDone && this->MayGoOn() && this->IsCertified() && this->MayGoOn();
   }
 
 private:

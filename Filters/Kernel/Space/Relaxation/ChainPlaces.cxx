@@ -14,7 +14,7 @@ ChainPlaces::ChainPlaces(
   , Chains(chains)
   , Edges(points.size(), NoId)
 {
-  constexpr double Rounding = 1e-9;
+  constexpr double Rounding = 1e-6; // of coordinates far from the origin, too
   std::vector<Id> next;
   next.reserve(At(ground.Chains.Size()));
   for (Id chain = 0; chain < ground.Chains.Size(); ++chain)

@@ -410,6 +410,63 @@ TEST(BodyRelaxation, NeverMakesTheWorstAngleWorseAndGivesTheSameAgain)
   }
 }
 
+TEST(BodyRelaxation, TakesBackThatTheOnlyCellAtAnEdgeWent)
+{
+  RelaxedBody body; // three tetrahedra around the edge of the points 3 and 4
+  body.Points = { { 1, 0, 0 }, { -0.5, 0.9, 0 }, { -0.5, -0.9, 0 }, { 0, 0, -1 }, { 0, 0, 1 } };
+  body.Sizes.assign(5, 1.0);
+  body.NumberOnBoundary = 5;
+  body.BoundaryPlaces.assign(5, 0);
+  body.Corners = { 0, 1, 3, 4, 1, 2, 3, 4, 2, 0, 3, 4 };
+  body.Regions.assign(3, 0);
+  body.Twins.resize(12);
+  std::map<Facet, Id> open;
+  for (Id slot = 0; slot < 12; ++slot)
+  {
+    const auto& order = TetMesh::FacetCorners[At(slot % 4)];
+    const auto corner = [&body, &order, slot](std::size_t k)
+    { return body.Corners[At(slot - slot % 4) + At(order[k])]; };
+    const Facet facet = Sorted(corner(0), corner(1), corner(2));
+    const bool isInner = facet[1] == 3 && facet[2] == 4;
+    if (!isInner)
+    {
+      body.Twins[At(slot)] = RelaxedBody::CodeOf(static_cast<Id>(body.FacetPlaces.size()));
+      body.FacetPlaces.push_back(0);
+      body.Facets.insert(body.Facets.end(), { corner(0), corner(1), corner(2) });
+    }
+    else if (open.count(facet) == 1)
+    {
+      body.Twins[At(slot)] = open[facet];
+      body.Twins[At(open[facet])] = slot;
+    }
+    open[facet] = slot;
+  }
+  ExpectBody(body);
+  const std::vector<Id> twins = body.Twins;
+  Pulse pulse(NoMonitor());
+  BodyTets tets(body, pulse);
+  std::vector<CellChange> log;
+  tets.Log = &log;
+  CellChange change;
+  change.Cells = { 0 };
+  for (Id slot = 0; slot < 4; ++slot)
+  {
+    const Id record = tets.RecordOf(slot);
+    const Id end = tets.VertexAt(slot); // the facet has the other one of the points 0 and 1
+    if (record >= 0)
+    {
+      change.Facets.push_back({ record, { end == 3 ? 0 : 1, 3, 4 } });
+    }
+  }
+  change.Apply(tets);
+  ASSERT_EQ(log.size(), 1u);
+  tets.Log = nullptr;
+  CellChange(log.back()).Apply(tets);
+  EXPECT_TRUE(std::equal(twins.begin(), twins.end(), tets.Mesh.Twins.begin()));
+  tets.GiveBack();
+  ExpectBody(body);
+}
+
 TEST(BodyRelaxation, TakesTrialsBackExactly)
 {
   Cube cube(6, 2, 0.3);
