@@ -100,7 +100,7 @@ void SurfaceChecker::Weld()
   RemoveDuplicates(this->Mesh, this->Problems, this->Beats);
   this->Links = LinkSurface(this->Mesh, this->Beats);
   RemoveFlatTriangles(this->Mesh, this->Links, this->Problems, this->Beats);
-  if (this->Options.Spacing)
+  if (this->Options.Spacing && this->Links.NumberOfOpen > 0)
   {
     CloseHoles(this->Mesh, this->Links, reach, this->Problems, this->Beats);
   }

@@ -3,6 +3,7 @@
 
 #include "SurfaceHoles.h"
 
+#include "../../Base/DisjointSets.h"
 #include "../../Base/DistanceToSegment.h"
 #include "../../Base/Numbers.h"
 #include "SurfaceRepair.h"
@@ -28,7 +29,17 @@ public:
     , Reach(reach)
     , Beats(pulse)
     , SlotsAt(CornersOfVertices(mesh))
+    , Parts(mesh.Points.size())
+    , Areas(mesh.Points.size(), 0.0)
   {
+    for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
+    {
+      this->Parts.Unite(mesh.Corners[slot], mesh.Corners[NextSlotOf(slot)]);
+    }
+    for (std::size_t t = 0; t < mesh.NumberOfTriangles(); ++t)
+    {
+      this->Areas[At(this->Parts.SetOf(mesh.Corners[3 * t]))] += 0.5 * Length(mesh.Normal(t));
+    }
   }
 
   // Whether the hole was closed.
@@ -122,8 +133,7 @@ private:
   {
     std::vector<std::size_t> all(this->Loop.size());
     std::iota(all.begin(), all.end(), 0);
-    const bool isTriangle = all.size() == 3 && this->Beside[0] == this->Beside[1];
-    const bool isClear = !isTriangle && this->Triangulate(all) &&
+    const bool isClear = this->Triangulate(all) && !this->IsBack() &&
       std::all_of(this->Triangles.begin(), this->Triangles.end(),
         [this](const Corners& corners) { return this->IsClear(corners); });
     if (isClear)
@@ -131,6 +141,20 @@ private:
       this->AddTriangles();
     }
     return isClear;
+  }
+
+  // Whether the patch is half as large as what it closes, as the other side of a scrap is.
+  bool IsBack()
+  {
+    double area = 0.0; // twice
+    for (const Corners& corners : this->Triangles)
+    {
+      const Point3& a = this->Place(corners[0]);
+      area += Length(Cross(this->Place(corners[1]) - a, this->Place(corners[2]) - a));
+    }
+    const Id first = this->Parts.SetOf(this->Loop.front());
+    const Id last = this->Parts.SetOf(this->Loop.back());
+    return area >= this->Areas[At(first)] + (first != last ? this->Areas[At(last)] : 0.0);
   }
 
   // Of the places of the loop in `part`, in order. Whether there is a triangulation.
@@ -254,11 +278,15 @@ private:
   {
     for (const Corners& corners : this->Triangles)
     {
-      // An edge of the loop, if there is one, is from the first or from the second corner on.
-      const bool isFirst = corners[1] == corners[0] + 1;
+      // Cells and regions are those beside an edge of the loop, else beside the first corner.
+      std::size_t from = 2;
+      while (from > 0 && (corners[from] + 1) % this->Loop.size() != corners[(from + 1) % 3])
+      {
+        --from;
+      }
       const std::size_t added = this->Mesh.NumberOfTriangles();
       this->Mesh.Resize(added + 1);
-      this->Mesh.CopyTriangle(this->Beside[corners[isFirst ? 0 : 1]], added);
+      this->Mesh.CopyTriangle(this->Beside[corners[from]], added);
       for (std::size_t k = 0; k < 3; ++k)
       {
         this->Mesh.Corners[3 * added + k] = this->Loop[corners[k]];
@@ -271,6 +299,8 @@ private:
   const SpacingField& Reach;
   Pulse& Beats;
   IdLists SlotsAt;                    ///< of the given triangles
+  DisjointSets Parts;                 ///< of vertices: by given triangles
+  std::vector<double> Areas;          ///< of the parts
   std::set<std::pair<Id, Id>> Chords; ///< edges of patches
   std::vector<Id> Loop;               ///< vertices of the hole at hand
   std::vector<std::size_t> Beside;    ///< of each edge of it, from its vertex on: the triangle
@@ -282,10 +312,6 @@ private:
 void CloseHoles(SurfaceMesh& mesh, SurfaceLinks& links, const SpacingField& reach,
   ProblemList& problems, Pulse& pulse)
 {
-  if (links.NumberOfOpen == 0)
-  {
-    return;
-  }
   const std::size_t given = mesh.NumberOfTriangles();
   HolePatches patches(mesh, reach, pulse);
   std::vector<BorderChain> left;
@@ -304,9 +330,11 @@ void CloseHoles(SurfaceMesh& mesh, SurfaceLinks& links, const SpacingField& reac
       left.push_back(std::move(hole));
     }
   }
-  for (auto hole = left.begin(); hole != left.end(); ++hole)
+  constexpr std::size_t MostPairs = 1000000;
+  constexpr std::size_t MostSpent = 100000000; // on all: the rest stays open
+  std::size_t spent = 0;
+  for (auto hole = left.begin(); hole != left.end() && spent < MostSpent && pulse.Ask(); ++hole)
   {
-    constexpr std::size_t MostPairs = 1000000;
     const Point3 place = mesh.Points[At(hole->Vertices.front())];
     const double near = 2.0 * reach(place);
     const auto other = std::find_if(hole + 1, left.end(),
@@ -314,8 +342,11 @@ void CloseHoles(SurfaceMesh& mesh, SurfaceLinks& links, const SpacingField& reac
       {
         // No place of a loop is farther from its first vertex than half of its length.
         const double apart = Distance(place, mesh.Points[At(next.Vertices.front())]);
-        return pulse.Beat(1) && apart <= near + 0.5 * (hole->Length + next.Length) &&
-          hole->Slots.size() * next.Slots.size() <= MostPairs && patches.CloseBetween(*hole, next);
+        const std::size_t pairs = hole->Slots.size() * next.Slots.size();
+        const bool isNear =
+          apart <= near + 0.5 * (hole->Length + next.Length) && pairs <= MostPairs;
+        spent += isNear ? pairs : 1;
+        return isNear && spent < MostSpent && patches.CloseBetween(*hole, next);
       });
     if (other != left.end())
     {

@@ -88,7 +88,7 @@ struct BorderChain
   double Area = 0.0; ///< of the fan of triangles about the mean of the vertices
 };
 
-/// All open edges, each once; chains before loops. Where several fans meet a border goes on along
+/// All open edges, each once. Where several fans meet a border goes on along
 /// the open edge of another fan at the smallest angle, across the gap; no loop meets itself.
 std::vector<BorderChain> BorderChains(
   const SurfaceMesh& mesh, const SurfaceLinks& links, Pulse& pulse);

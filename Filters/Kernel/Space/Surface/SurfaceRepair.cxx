@@ -6,6 +6,7 @@
 #include "../../Predicates/Predicates.h"
 
 #include <algorithm> // for find_if, is_permutation, min_element
+#include <cmath>     // for abs
 #include <cstdint>   // for marks
 #include <numeric>   // for iota
 
@@ -174,14 +175,16 @@ bool FlatFlips::Improve(std::size_t t)
   return true;
 }
 
-// Whether the halves of the triangle of `across` look as it does.
+// Whether the halves of the triangle of `across` look as it does, and lie near its plane.
 bool FlatFlips::KeepsSides(std::size_t middle, std::size_t across) const
 {
+  constexpr double Bend = 0.04;
   const Point3 normal = this->Mesh.Normal(across / 3);
   const Point3 way = this->Mesh.At(across) - this->Mesh.At(middle);
   const Point3 next = this->Mesh.At(NextSlotOf(across)) - this->Mesh.At(middle);
   const Point3 previous = this->Mesh.At(PreviousSlotOf(across)) - this->Mesh.At(middle);
-  return Dot(Cross(next, way), normal) <= 0.0 && Dot(Cross(previous, way), normal) >= 0.0;
+  return Dot(Cross(next, way), normal) <= 0.0 && Dot(Cross(previous, way), normal) >= 0.0 &&
+    std::abs(Dot(next, normal)) <= Bend * Length(normal) * Distance(next, previous);
 }
 
 // The triangle goes; its side opposite `middle` is open.

@@ -488,11 +488,15 @@ TEST(BodyRelaxation, TakesTrialsBackExactly)
     std::vector<CellChange> log;
     tets.Log = &log;
     tets.IsTrial = true;
-    done[0] += moves.Improve(tets.VertexAt(4 * cell + cell % 4), 0.0) ? 1 : 0;
-    done[1] += edges.Split(cell, At(cell) % 6) ? 1 : 0;
-    done[2] += edges.Remove(cell, At(cell) % 5) ? 1 : 0;
-    const Id other = tets.VertexAt(4 * cell);
-    done[3] += moves.Merge(tets.VertexAt(4 * cell + 3), other) ? 1 : 0;
+    for (std::size_t k = 0; k < 4 && !tets.Mesh.IsFree(cell); ++k)
+    {
+      const std::size_t step = (At(cell) + k) % 4;
+      const bool isDone = step == 0 ? moves.Improve(tets.VertexAt(4 * cell + cell % 4), 0.0)
+        : step == 1                 ? edges.Split(cell, At(cell) % 6)
+        : step == 2                 ? edges.Remove(cell, At(cell) % 5)
+                    : moves.Merge(tets.VertexAt(4 * cell + 3), tets.VertexAt(4 * cell));
+      done[step] += isDone ? 1 : 0;
+    }
     moves.TakeBack();
     tets.IsTrial = false;
     ASSERT_TRUE(std::equal(corners.begin(), corners.end(), tets.Mesh.Corners.begin()));

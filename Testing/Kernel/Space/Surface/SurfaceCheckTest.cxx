@@ -379,6 +379,20 @@ TEST(SurfaceCheck, ClosesSlitsBetweenLoopsOfDifferentVertices)
   }
 }
 
+TEST(SurfaceCheck, LeavesScrapsOpen)
+{
+  for (const double rise : { 0.0, 0.02 }) // flat, or bent along the edge between
+  {
+    Soup soup;
+    soup.AddBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, 4);
+    soup.Add({ 3.0, 0.0, 0.0 }, { 3.1, 0.0, 0.0 }, { 3.0, 0.1, rise });
+    soup.Add({ 3.1, 0.0, 0.0 }, { 3.1, 0.1, 0.0 }, { 3.0, 0.1, rise });
+    const Verdict verdict = JudgeClosed(soup, 1.0);
+    EXPECT_EQ(verdict.Count(ProblemCode::OpenEdges), 1) << rise;
+    EXPECT_EQ(verdict.Count(ProblemCode::ClosedHoles), 0) << rise;
+  }
+}
+
 TEST(SurfaceCheck, TellsHolesThatTouchOneByOne)
 {
   Soup soup;
