@@ -21,7 +21,7 @@ namespace
 {
 
 /// Badness (TetShape): the square of the cosine of the smallest angle.
-constexpr double At30 = 0.7499; // a bit more
+constexpr double At30 = 0.7499; // 30.007 degrees: rounding leaves 30
 constexpr double At31 = 0.7347368398357183;
 constexpr double At35 = 0.6710100716628343;
 constexpr double At38 = 0.6209609477998338;
@@ -39,7 +39,7 @@ protected:
     , Moves(this->Tets, this->Normals, f)
     , Edges(this->Tets, this->Normals)
     , Beats(pulse)
-    , TrialsLeft(300 + this->Tets.Mesh.NumberOfSlots() / 256) // beyond few that are used
+    , TrialsLeft(300 + this->Tets.Mesh.NumberOfSlots() / 256) // most find nothing
   {
   }
 
@@ -251,7 +251,7 @@ protected:
   EdgeRemoval Edges;
   Pulse& Beats;
   std::vector<Id> Reached; ///< vertices
-  std::vector<Id> Rounds;  ///< of vertices: one more than the last in which a trial changed them
+  std::vector<Id> Rounds;  ///< of vertices: 1 + the last round that changed a cell there
   Id TrialsLeft;
 };
 

@@ -89,7 +89,7 @@ std::vector<double> ReachesOnBorders(const SurfaceMesh& mesh, const Reach& reach
   return reaches;
 }
 
-// Makes one of vertices of which areNear(vertex, other), no farther apart than the reach of either;
+// Merges vertices where areNear(vertex, other) and neither reach is less than their distance;
 // those without one stay. The first stays where it is, and no two that stay are near.
 // Calls tell(vertex, the one that it becomes).
 template <typename Question, typename Tell>
