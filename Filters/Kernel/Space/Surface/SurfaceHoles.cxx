@@ -24,21 +24,24 @@ namespace
 class HolePatches
 {
 public:
-  HolePatches(SurfaceMesh& mesh, const SpacingField& reach, Pulse& pulse)
+  HolePatches(SurfaceMesh& mesh, const SurfaceLinks& links, const SpacingField& reach, Pulse& pulse)
     : Mesh(mesh)
     , Reach(reach)
     , Beats(pulse)
     , SlotsAt(CornersOfVertices(mesh))
-    , Parts(mesh.Points.size())
-    , Areas(mesh.Points.size(), 0.0)
+    , Parts(mesh.NumberOfTriangles())
+    , Areas(mesh.NumberOfTriangles(), 0.0)
   {
     for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
     {
-      this->Parts.Unite(mesh.Corners[slot], mesh.Corners[NextSlotOf(slot)]);
+      if (links.Across[slot] >= 0)
+      {
+        this->Parts.Unite(static_cast<Id>(slot / 3), links.Across[slot] / 3);
+      }
     }
     for (std::size_t t = 0; t < mesh.NumberOfTriangles(); ++t)
     {
-      this->Areas[At(this->Parts.SetOf(mesh.Corners[3 * t]))] += 0.5 * Length(mesh.Normal(t));
+      this->Areas[At(this->Parts.SetOf(static_cast<Id>(t)))] += 0.5 * Length(mesh.Normal(t));
     }
   }
 
@@ -152,8 +155,8 @@ private:
       const Point3& a = this->Place(corners[0]);
       area += Length(Cross(this->Place(corners[1]) - a, this->Place(corners[2]) - a));
     }
-    const Id first = this->Parts.SetOf(this->Loop.front());
-    const Id last = this->Parts.SetOf(this->Loop.back());
+    const Id first = this->Parts.SetOf(static_cast<Id>(this->Beside.front()));
+    const Id last = this->Parts.SetOf(static_cast<Id>(this->Beside.back()));
     return area >= this->Areas[At(first)] + (first != last ? this->Areas[At(last)] : 0.0);
   }
 
@@ -299,7 +302,7 @@ private:
   const SpacingField& Reach;
   Pulse& Beats;
   IdLists SlotsAt;                    ///< of the given triangles
-  DisjointSets Parts;                 ///< of vertices: by given triangles
+  DisjointSets Parts;                 ///< of given triangles: by edges of two
   std::vector<double> Areas;          ///< of the parts
   std::set<std::pair<Id, Id>> Chords; ///< edges of patches
   std::vector<Id> Loop;               ///< vertices of the hole at hand
@@ -313,7 +316,7 @@ void CloseHoles(SurfaceMesh& mesh, SurfaceLinks& links, const SpacingField& reac
   ProblemList& problems, Pulse& pulse)
 {
   const std::size_t given = mesh.NumberOfTriangles();
-  HolePatches patches(mesh, reach, pulse);
+  HolePatches patches(mesh, links, reach, pulse);
   std::vector<BorderChain> left;
   const auto tell = [&mesh, &problems](const BorderChain& hole)
   { problems.Add(BorderProblem(ProblemCode::ClosedHoles, mesh, hole)); };

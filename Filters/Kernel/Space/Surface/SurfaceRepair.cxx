@@ -106,10 +106,10 @@ private:
   std::vector<std::uint8_t> IsGone;
 };
 
-// Whether the fan of the vertex at `corner` has an edge to the other vertex.
+// Whether the fan of the vertex at `corner` has an edge to the other vertex, or is of that.
 bool FlatFlips::HasEdge(std::size_t corner, Id vertex) const
 {
-  bool has = false;
+  bool has = this->Mesh.Corners[corner] == vertex;
   const auto look = [this, &has, vertex](std::size_t slot)
   {
     has = has || this->Mesh.Corners[NextSlotOf(slot)] == vertex ||

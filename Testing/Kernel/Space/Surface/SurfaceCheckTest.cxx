@@ -300,6 +300,24 @@ TEST(SurfaceCheck, LeavesACupAndATerrainOpenAtAnySpacingBelowTheirSizes)
   }
 }
 
+TEST(SurfaceCheck, NeverDoublesTrianglesThatHangByAVertex)
+{
+  const Point3 top{ 1.0, 1.0, 1.0 };
+  const Point3 left{ 1.5, 1.0, 1.2 };
+  const Point3 right{ 1.0, 1.5, 1.2 };
+  Soup one = Cube();
+  one.Add(top, left, right);
+  Soup two = one;
+  two.Add(right, left, { 1.5, 1.5, 1.4 });
+  for (const Soup& soup : { one, two })
+  {
+    const Verdict verdict = JudgeClosed(soup, 10.0);
+    EXPECT_EQ(verdict.Count(ProblemCode::ClosedHoles), 0);
+    EXPECT_EQ(verdict.Count(ProblemCode::OpenEdges), 1);
+    EXPECT_EQ(verdict.Surface.Mesh.NumberOfTriangles(), soup.Mesh.NumberOfTriangles());
+  }
+}
+
 TEST(SurfaceCheck, DividesEdgesAtTheVerticesOfCracks)
 {
   for (const double off : { 0.0, 1e-9, 1e-6, 1e-3 })
