@@ -300,14 +300,9 @@ double vtkHessianSpacing::Execution::Tolerance() const
 //------------------------------------------------------------------------------
 double vtkHessianSpacing::Execution::LargestSpacing() const
 {
-  biting::Box2 box;
-  for (const biting::Point2& point : this->Faces.Points)
-  {
-    box.Add(point);
-  }
   return this->Filter->MaximumSpacing > 0.0
     ? this->Filter->MaximumSpacing
-    : std::max(box.Diagonal(), this->Filter->MinimumSpacing);
+    : std::max(biting::Box2::Around(this->Faces.Points).Diagonal(), this->Filter->MinimumSpacing);
 }
 
 //------------------------------------------------------------------------------

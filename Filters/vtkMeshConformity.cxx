@@ -325,11 +325,7 @@ bool vtkMeshConformity::Execution::ReadSource(biting::SpacingOptions& options)
 bool vtkMeshConformity::Execution::Compare(biting::SpacingOptions options)
 {
   options.Curvature = this->Mesh.Faces.Frame.Curvature();
-  biting::Box2 box;
-  for (const biting::Point2& point : this->Mesh.Faces.Points)
-  {
-    box.Add(point);
-  }
+  const biting::Box2 box = biting::Box2::Around(this->Mesh.Faces.Points);
   const biting::Spacing spacing = biting::MakeSpacing(options, box, this->Problems, this->Progress);
   biting::PlanarInput planar;
   planar.Frame = this->Mesh.Faces.Frame;

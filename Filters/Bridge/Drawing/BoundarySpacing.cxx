@@ -137,11 +137,7 @@ constexpr double MostLinesOfFineFaces = 1 << 22;
 void AddHatching(const std::vector<Point2>& outline, double value, double step, double& fineLines,
   SegmentSource& source, Pulse& pulse)
 {
-  Box2 box;
-  for (const Point2& point : outline)
-  {
-    box.Add(point);
-  }
+  const Box2 box = Box2::Around(outline);
   const bool isAlongX = box.Width() >= box.Height();
   const auto turned = [isAlongX](const Point2& p) { return isAlongX ? p : Point2{ p.Y, p.X }; };
   const double low = turned(box.Low).Y;

@@ -265,11 +265,8 @@ double LineDivider::SpacingAt(const Point2& place)
 {
   if (!this->F)
   {
-    Box2 bounds;
-    for (const Id point : this->Input.Chains.Connectivity)
-    {
-      bounds.Add(this->Input.Chains.Points[static_cast<std::size_t>(point)]);
-    }
+    const Polylines& chains = this->Input.Chains;
+    const Box2 bounds = Box2::Around(chains.Points, chains.Connectivity);
     ProblemList problems;
     this->F.emplace(MakeSpacing(*this->Options, bounds, problems, this->Listener));
     this->Least = problems.HasErrors() ? Infinity : this->Least;

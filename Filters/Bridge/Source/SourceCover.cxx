@@ -6,6 +6,7 @@
 #include "../Run/ProblemReport.h"
 
 #include <algorithm> // for clamp, max, min
+#include <array>     // for corners
 #include <cmath>     // for abs, ceil, sqrt
 #include <limits>    // for infinity
 
@@ -85,22 +86,16 @@ SourceCover::SourceCover(const SpacingOptions& options)
 void SourceCover::Cover(const GridSource& grid)
 {
   this->HasSource = true;
-  Box2 box;
-  box.Add({ grid.XNodes.front(), grid.YNodes.front() });
-  box.Add({ grid.XNodes.back(), grid.YNodes.back() });
+  const Box2 box = Box2::Around(Point2{ grid.XNodes.front(), grid.YNodes.front() },
+    Point2{ grid.XNodes.back(), grid.YNodes.back() });
   this->Bounds = Widened(box, StepAtEnds(grid.XNodes), StepAtEnds(grid.YNodes));
 }
 
 void SourceCover::Cover(const TriangulatedSource& source)
 {
   this->HasSource = !source.Points.empty();
-  Box2 box;
-  for (const Point2& point : source.Points)
-  {
-    box.Add(point);
-  }
   const double step = MeanStep(source);
-  this->Bounds = Widened(box, step, step);
+  this->Bounds = Widened(Box2::Around(source.Points), step, step);
   const double side = std::max(this->Bounds.Width(), this->Bounds.Height());
   this->SquareSize = std::max(step, side / MostSquaresAlongASide);
   if (!this->HasSource || !(this->SquareSize > 0.0))
@@ -112,12 +107,9 @@ void SourceCover::Cover(const TriangulatedSource& source)
   this->IsMarked.assign(this->Columns * this->Rows, 0);
   for (std::size_t k = 0; k < source.Triangles.size(); k += 3)
   {
-    Box2 triangle;
-    for (std::size_t corner = 0; corner < 3; ++corner)
-    {
-      triangle.Add(source.Points[static_cast<std::size_t>(source.Triangles[k + corner])]);
-    }
-    this->Mark(Widened(triangle, step, step));
+    const std::array<Id, 3> corners{ source.Triangles[k], source.Triangles[k + 1],
+      source.Triangles[k + 2] };
+    this->Mark(Widened(Box2::Around(source.Points, corners), step, step));
   }
 }
 

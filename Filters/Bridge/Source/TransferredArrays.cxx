@@ -121,11 +121,7 @@ FoundPlaces PlacesInCells(
   {
     return found;
   }
-  Box2 bounds;
-  for (const Id corner : mesh.Corners)
-  {
-    bounds.Add(mesh.Points[corner]);
-  }
+  const Box2 bounds = Box2::Around(mesh.Points, mesh.Corners);
   std::vector<Id> all(static_cast<std::size_t>(mesh.NumberOfTriangles()));
   std::iota(all.begin(), all.end(), 0);
   const std::vector<OldPlace> olds = FindOldPlaces(mesh, all, places, pulse);

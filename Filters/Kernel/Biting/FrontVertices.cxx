@@ -37,8 +37,7 @@ const std::vector<Point2>& FrontVertices::Find(Id bite)
   {
     return this->Found;
   }
-  Box2 box;
-  box.Add(center);
+  Box2 box = Box2::Around(center, center);
   box.Grow(reach);
   const bool isClear = this->State.Locator.IsClear(box);
   this->Outline.VisitEnds(

@@ -93,8 +93,7 @@ void SegmentTree::Builder::FileItems(
     const Point2& start = points[ends.Start];
     const Point2& end = points[ends.End];
     item.Shortest = LengthOf(start, end);
-    item.Bounds.Add(start);
-    item.Bounds.Add(end);
+    item.Bounds = Box2::Around(start, end);
     item.Bounds.Grow(this->Tree.Grown.Of(item.Shortest));
     item.Ends = ends;
     item.Segment = static_cast<Id>(this->Tree.Items.size());

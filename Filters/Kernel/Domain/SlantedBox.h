@@ -34,11 +34,10 @@ struct SlantedBox
 
   /// Around a segment.
   SlantedBox(const Point2& start, const Point2& end)
-    : Center(Midpoint(start, end))
+    : Bounds(Box2::Around(start, end))
+    , Center(Midpoint(start, end))
     , Along(0.5 * Distance(start, end))
   {
-    this->Bounds.Add(start);
-    this->Bounds.Add(end);
     this->Axis = this->Along > 0.0 ? (0.5 / this->Along) * (end - start) : this->Axis;
   }
 

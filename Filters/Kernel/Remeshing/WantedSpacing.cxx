@@ -16,22 +16,6 @@
 namespace biting
 {
 
-namespace
-{
-
-template <typename Vertices>
-Box2 BoundsOf(const OldMesh& mesh, const Vertices& vertices)
-{
-  Box2 box;
-  for (const Id vertex : vertices)
-  {
-    box.Add(mesh.Points[vertex]);
-  }
-  return box;
-}
-
-} // namespace
-
 WantedSpacing::WantedSpacing(const OldMesh& mesh, const SpacingOptions& options,
   const std::vector<double>& values, ProblemList& problems, Monitor& monitor)
   : Mesh(mesh)
@@ -51,7 +35,8 @@ WantedSpacing::WantedSpacing(const OldMesh& mesh, const SpacingOptions& options,
     }
     return;
   }
-  const Spacing f = MakeSpacing(options, BoundsOf(mesh, mesh.Corners), problems, monitor);
+  const Spacing f =
+    MakeSpacing(options, Box2::Around(mesh.Points, mesh.Corners), problems, monitor);
   for (const Point2& point : mesh.Points)
   {
     this->Values.push_back(f(point));
@@ -208,7 +193,8 @@ Spacing WantedSpacing::Prepare(const ChangedRegion& region, const RegionEdges* p
   options.Minimum = this->Options.Minimum;
   options.Features = pieces ? this->FeaturesOf(region, *pieces, mostVertices, monitor) : nullptr;
   options.Gradation = this->IsLocal && !options.Features ? 0.0 : options.Gradation;
-  Spacing f = MakeSpacing(options, BoundsOf(this->Mesh, region.Vertices), problems, monitor);
+  Spacing f =
+    MakeSpacing(options, Box2::Around(this->Mesh.Points, region.Vertices), problems, monitor);
   this->Limited.clear();
   if (!problems.HasErrors() && options.Features)
   {

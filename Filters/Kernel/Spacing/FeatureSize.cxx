@@ -105,16 +105,6 @@ bool IsFacing(const Feature& own, const Point2& x, const Feature& other)
     (back > 0.0 ? other.LeftInside : other.RightInside);
 }
 
-double DiagonalOf(const std::vector<Point2>& points)
-{
-  Box2 box;
-  for (const Point2& point : points)
-  {
-    box.Add(point);
-  }
-  return box.Diagonal();
-}
-
 /// What all segments have in common.
 struct CapRule
 {
@@ -429,7 +419,7 @@ bool AddFeatureSizes(
     ? MakeCones(*source.Drawn, LengthsPerSpacing, given.Gradation, pulse)
     : std::vector<SegmentCone>();
   const CapRule rule{ source, given, FeatureSize(source, pulse),
-    SegmentExtension(drawn, given.Gradation, pulse), DiagonalOf(source.Points) };
+    SegmentExtension(drawn, given.Gradation, pulse), Box2::Around(source.Points).Diagonal() };
   if (!pulse.HasStopped() && !HasTooManyPieces(rule, pulse) && !pulse.HasStopped())
   {
     CapAll(rule, caps, pulse);

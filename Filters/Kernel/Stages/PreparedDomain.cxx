@@ -29,11 +29,7 @@ std::function<double(const Point2&)> SpacingAsGiven(
   {
     if (!*made)
     {
-      Box2 bounds;
-      for (const Id point : input.Connectivity)
-      {
-        bounds.Add(input.Points[static_cast<std::size_t>(point)]);
-      }
+      const Box2 bounds = Box2::Around(input.Points, input.Connectivity);
       SpacingOptions given = options.Spacing;
       given.Gradation = 0.0;
       ProblemList unheard;
