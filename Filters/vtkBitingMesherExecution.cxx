@@ -337,7 +337,7 @@ bool vtkBitingMesher::Execution::FindCells()
   faces.CorrectBy(votes, this->Mesh, this->TriangleCells, pulse);
   for (biting::Id& cell : this->TriangleCells)
   {
-    cell = this->Planar.Chains.Cells[static_cast<std::size_t>(cell)];
+    cell = this->Planar.Chains.Cells[cell];
   }
   return !pulse.HasStopped();
 }

@@ -277,7 +277,7 @@ std::string vtkBitingRemesher::Execution::AddValues()
     biting::LeastValue(this->Options.Spacing), values, this->Places, pulse);
   for (std::size_t k = 0; refusal.empty() && k < this->Mesh.PointIds.size(); ++k)
   {
-    this->Options.Values.push_back(values[static_cast<std::size_t>(this->Mesh.PointIds[k])]);
+    this->Options.Values.push_back(values[this->Mesh.PointIds[k]]);
   }
   return refusal;
 }
@@ -309,18 +309,17 @@ void vtkBitingRemesher::Execution::NumberPoints()
     this->Mesh.CellIds.clear();
     for (const biting::Id origin : this->Result.Old.Origins)
     {
-      this->Mesh.CellIds.push_back(before[static_cast<std::size_t>(origin)]);
+      this->Mesh.CellIds.push_back(before[origin]);
     }
   }
   for (biting::Id& original : this->Result.Mesh.OriginalPoints)
   {
-    original = original == biting::NoId
-      ? original
-      : static_cast<biting::Id>(this->Mesh.PointIds[static_cast<std::size_t>(original)]);
+    original =
+      original == biting::NoId ? original : static_cast<biting::Id>(this->Mesh.PointIds[original]);
   }
   for (biting::Id& line : this->Result.Mesh.EdgeCells)
   {
-    line = line == biting::NoId ? line : this->Mesh.Input.LineCells[static_cast<std::size_t>(line)];
+    line = line == biting::NoId ? line : this->Mesh.Input.LineCells[line];
   }
 }
 
@@ -366,7 +365,7 @@ void vtkBitingRemesher::Execution::WriteUnchanged(
   {
     for (biting::Id& end : *ends)
     {
-      end = static_cast<biting::Id>(this->Mesh.PointIds[static_cast<std::size_t>(end)]);
+      end = static_cast<biting::Id>(this->Mesh.PointIds[end]);
     }
   }
   vtkNew<vtkPoints> points;

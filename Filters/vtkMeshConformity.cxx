@@ -367,8 +367,8 @@ bool vtkMeshConformity::Execution::ReadOwnSpacing(vtkDataArray* values)
   const biting::PlanarFaces& faces = this->Mesh.Faces;
   for (std::size_t vertex = 0; vertex < faces.Points.size(); ++vertex)
   {
-    this->Mesh.Spacing.push_back(faces.Frame.StretchAt(faces.Points[vertex]) *
-      read[static_cast<std::size_t>(faces.PointIds[vertex])]);
+    this->Mesh.Spacing.push_back(
+      faces.Frame.StretchAt(faces.Points[vertex]) * read[faces.PointIds[vertex]]);
   }
   this->Mesh.GivenLipschitz = biting::LargestSlope(this->Mesh.View(), this->Progress);
   this->Mesh.HasSpacing = true;

@@ -131,7 +131,7 @@ private:
     isRead = isRead && this->In.Read(counts[0], counts[1], counts[2], counts[3]);
     for (int dimension = 0; isRead && dimension < 4; ++dimension)
     {
-      for (std::size_t k = 0; isRead && k < counts[static_cast<std::size_t>(dimension)]; ++k)
+      for (std::size_t k = 0; isRead && k < counts[dimension]; ++k)
       {
         isRead = this->ReadEntity(dimension, arePartitioned);
       }

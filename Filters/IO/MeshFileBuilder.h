@@ -170,7 +170,7 @@ private:
   };
   using Groups = std::map<Group, std::size_t>;
 
-  Groups& GroupsOf(int dimension) { return this->AllGroups[static_cast<std::size_t>(dimension)]; }
+  Groups& GroupsOf(int dimension) { return this->AllGroups[dimension]; }
   bool Add(Cell& cell, const Group& group);
   bool FindVertices();
   bool FindVertex(std::size_t line, std::int64_t& number);

@@ -169,14 +169,13 @@ void LineDivider::Run()
     const bool arePoints = chains.Kinds[chain] == ChainKind::EmbeddedPoint;
     for (Id k = chains.Offsets[chain]; k < chains.Offsets[chain + 1] && this->Beats.Beat(); ++k)
     {
-      const auto at = static_cast<std::size_t>(k);
       if (k > chains.Offsets[chain] && !arePoints)
       {
         const std::vector<Id>& added =
-          this->Between(chains.Connectivity[at - 1], chains.Connectivity[at]);
+          this->Between(chains.Connectivity[k - 1], chains.Connectivity[k]);
         connectivity.insert(connectivity.end(), added.begin(), added.end());
       }
-      connectivity.push_back(chains.Connectivity[at]);
+      connectivity.push_back(chains.Connectivity[k]);
     }
     offsets.push_back(static_cast<Id>(connectivity.size()));
   }

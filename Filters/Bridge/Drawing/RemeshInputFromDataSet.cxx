@@ -105,7 +105,7 @@ std::string NumberRegions(
   const std::string refusal = FindRegionNumbers(ReadDrawing(mesh), name, numbers, pulse);
   for (std::size_t k = 0; refusal.empty() && !pulse.HasStopped() && k < result.CellIds.size(); ++k)
   {
-    result.Input.Regions.push_back(numbers[static_cast<std::size_t>(result.CellIds[k])]);
+    result.Input.Regions.push_back(numbers[result.CellIds[k]]);
   }
   return refusal;
 }

@@ -69,13 +69,13 @@ void SurfaceQuality::AddTriangle(const BitingSurface& mesh, std::size_t triangle
 {
   const Id* corners = &mesh.Corners[3 * triangle];
   const auto at = [&mesh, corners](std::size_t k) -> const Point3&
-  { return mesh.Points[static_cast<std::size_t>(corners[k % 3])]; };
+  { return mesh.Points[corners[k % 3]]; };
   for (std::size_t k = 0; k < 3; ++k)
   {
     const double length = Distance(at(k), at(k + 1));
     for (const std::size_t end : { k, (k + 1) % 3 })
     {
-      double& nearest = this->NearestNeighborDistance[static_cast<std::size_t>(corners[end])];
+      double& nearest = this->NearestNeighborDistance[corners[end]];
       nearest = std::min(nearest, length);
     }
   }

@@ -108,7 +108,7 @@ void Transfer::Carry(
       TupleMix mix;
       for (int corner = 0; corner < 3; ++corner)
       {
-        mix.Add(this->PointAt(place, corner), place.Weights[static_cast<std::size_t>(corner)]);
+        mix.Add(this->PointAt(place, corner), place.Weights[corner]);
       }
       SetMixed(array, tuple, mix, given);
     }
@@ -162,7 +162,7 @@ std::vector<vtkIdType> Transfer::CellsAtMiddles() const
     // Beside a simplified interface a middle may lie in another region.
     if (this->Result.Old.Regions[cell] == mesh.Regions[triangle])
     {
-      cells[triangle] = this->Mesh.CellIds[static_cast<std::size_t>(cell)];
+      cells[triangle] = this->Mesh.CellIds[cell];
     }
     next += isNew;
   }
@@ -182,7 +182,7 @@ std::vector<vtkIdType> Transfer::CellsOfRegions() const
   std::vector<vtkIdType> cells;
   for (const Id region : this->Result.Mesh.Regions)
   {
-    cells.push_back(first[static_cast<std::size_t>(region)]);
+    cells.push_back(first[region]);
   }
   return cells;
 }
@@ -214,7 +214,7 @@ void AddOriginals(const RemeshResult& result, const PlanarMesh& mesh, vtkPolyDat
   std::int64_t keptTriangles = 0;
   for (const Id triangle : result.OriginalTriangles)
   {
-    cells.push_back(triangle == NoId ? -1 : mesh.CellIds[static_cast<std::size_t>(triangle)]);
+    cells.push_back(triangle == NoId ? -1 : mesh.CellIds[triangle]);
     keptTriangles += triangle != NoId;
   }
   const std::vector<Id>& points = result.Mesh.OriginalPoints;
@@ -237,7 +237,7 @@ void PassThrough(const PlanarMesh& mesh, vtkDataSet* from, vtkPolyData* output)
     std::vector<Id> corners;
     for (const Id corner : mesh.Input.Corners)
     {
-      corners.push_back(static_cast<Id>(mesh.PointIds[static_cast<std::size_t>(corner)]));
+      corners.push_back(static_cast<Id>(mesh.PointIds[corner]));
     }
     vtkNew<vtkCellArray> triangles;
     SetCells(triangles, 3, corners);

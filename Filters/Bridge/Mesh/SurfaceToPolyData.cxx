@@ -100,12 +100,12 @@ void EdgesToPolyData(const std::vector<Point3>& places, const std::vector<Id>& g
   points->SetDataType(mesh->GetPoints()->GetDataType());
   for (const Id end : given)
   {
-    Id& number = numbers[static_cast<std::size_t>(end)];
+    Id& number = numbers[end];
     if (number == NoId)
     {
       number = static_cast<Id>(used.size());
       used.push_back(end);
-      points->InsertNextPoint(places[static_cast<std::size_t>(end)].Data());
+      points->InsertNextPoint(places[end].Data());
     }
     ends.push_back(number);
   }

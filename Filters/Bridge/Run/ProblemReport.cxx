@@ -140,14 +140,14 @@ public:
     const Polylines& chains = input.Chains;
     for (Id chain = 0; chain < chains.NumberOfChains(); ++chain)
     {
-      const Id first = chains.Offsets[static_cast<std::size_t>(chain)];
+      const Id first = chains.Offsets[chain];
       const Id last = chains.Offsets[static_cast<std::size_t>(chain) + 1] - 1;
       this->Walk(first, last, 1);
       this->Walk(last, first, -1);
     }
   }
 
-  Id operator[](std::int64_t point) const { return this->Beside[static_cast<std::size_t>(point)]; }
+  Id operator[](std::int64_t point) const { return this->Beside[point]; }
 
 private:
   void Walk(Id from, Id to, Id step)
@@ -155,15 +155,15 @@ private:
     Id finite = NoId;
     for (Id k = from; k != to + step; k += step)
     {
-      const Id point = this->Input.Chains.Connectivity[static_cast<std::size_t>(k)];
+      const Id point = this->Input.Chains.Connectivity[k];
       const double* place = this->Input.Place(point);
       if (IsFinite({ place[0], place[1], place[2] }))
       {
         finite = point;
       }
-      else if (this->Beside[static_cast<std::size_t>(point)] == NoId)
+      else if (this->Beside[point] == NoId)
       {
-        this->Beside[static_cast<std::size_t>(point)] = finite;
+        this->Beside[point] = finite;
       }
     }
   }

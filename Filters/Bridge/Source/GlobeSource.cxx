@@ -65,8 +65,7 @@ std::shared_ptr<const TriangulatedSource> SourceOnGlobe(
   for (std::size_t k = 0; k < mapped->Triangles.size() && pulse.Beat(); k += 3)
   {
     const auto first = mapped->Triangles.begin() + static_cast<std::ptrdiff_t>(k);
-    if (std::none_of(first, first + 3,
-          [&isFar](Id point) { return isFar[static_cast<std::size_t>(point)] != 0; }))
+    if (std::none_of(first, first + 3, [&isFar](Id point) { return isFar[point] != 0; }))
     {
       near.insert(near.end(), first, first + 3);
     }

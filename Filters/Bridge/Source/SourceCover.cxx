@@ -34,9 +34,9 @@ double MeanStep(const TriangulatedSource& source)
   double area = 0.0;
   for (std::size_t k = 0; k < source.Triangles.size(); k += 3)
   {
-    const Point2& a = source.Points[static_cast<std::size_t>(source.Triangles[k])];
-    const Point2& b = source.Points[static_cast<std::size_t>(source.Triangles[k + 1])];
-    const Point2& c = source.Points[static_cast<std::size_t>(source.Triangles[k + 2])];
+    const Point2& a = source.Points[source.Triangles[k]];
+    const Point2& b = source.Points[source.Triangles[k + 1]];
+    const Point2& c = source.Points[source.Triangles[k + 2]];
     area += 0.5 * std::abs(Cross(b - a, c - a));
   }
   return std::sqrt(
@@ -171,9 +171,8 @@ UncoveredPart FindUncovered(const BitingMesh& mesh, const SpacingOptions& option
       const Id* corners = mesh.Corners.data() + 3 * triangle;
       const auto number =
         mesh.Piece.IsPart ? mesh.Piece.TriangleIds[triangle] : static_cast<std::int64_t>(triangle);
-      AddTriangle(mesh.Points[static_cast<std::size_t>(corners[0])],
-        mesh.Points[static_cast<std::size_t>(corners[1])],
-        mesh.Points[static_cast<std::size_t>(corners[2])], number, cover, part);
+      AddTriangle(mesh.Points[corners[0]], mesh.Points[corners[1]], mesh.Points[corners[2]], number,
+        cover, part);
     }
   }
   return part;
@@ -193,10 +192,8 @@ std::string UncoveredWarning(const std::vector<Point2>& points, const std::vecto
   UncoveredPart part;
   for (std::size_t k = 0; k < corners.size(); k += 3)
   {
-    AddTriangle(points[static_cast<std::size_t>(corners[k])],
-      points[static_cast<std::size_t>(corners[k + 1])],
-      points[static_cast<std::size_t>(corners[k + 2])], static_cast<std::int64_t>(k / 3), cover,
-      part);
+    AddTriangle(points[corners[k]], points[corners[k + 1]], points[corners[k + 2]],
+      static_cast<std::int64_t>(k / 3), cover, part);
   }
   return UncoveredWarning(part, frame);
 }

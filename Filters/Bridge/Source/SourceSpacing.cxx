@@ -157,9 +157,9 @@ bool HasArea(const TriangulatedSource& source, Pulse& pulse)
 {
   for (std::size_t k = 0; k < source.Triangles.size() && pulse.Beat(); k += 3)
   {
-    const Point2& a = source.Points[static_cast<std::size_t>(source.Triangles[k])];
-    const Point2& b = source.Points[static_cast<std::size_t>(source.Triangles[k + 1])];
-    const Point2& c = source.Points[static_cast<std::size_t>(source.Triangles[k + 2])];
+    const Point2& a = source.Points[source.Triangles[k]];
+    const Point2& b = source.Points[source.Triangles[k + 1]];
+    const Point2& c = source.Points[source.Triangles[k + 2]];
     if (Cross(b - a, c - a) != 0.0)
     {
       return true;

@@ -99,7 +99,7 @@ private:
     {
       if (piece != NoId)
       {
-        ++halves[static_cast<std::size_t>(piece)];
+        ++halves[piece];
       }
     }
     for (Id piece = 0; piece < this->Graph.NumberOfPieces(); ++piece)
@@ -412,7 +412,7 @@ std::vector<std::vector<std::size_t>> ShareBlocks(
   std::vector<std::vector<std::size_t>> shares(members);
   for (const std::size_t block : largestFirst)
   {
-    shares[static_cast<std::size_t>(dealtLeaves[blocks[block].Leaf])].push_back(block);
+    shares[dealtLeaves[blocks[block].Leaf]].push_back(block);
   }
   return shares;
 }

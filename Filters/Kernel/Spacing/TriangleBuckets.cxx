@@ -188,7 +188,7 @@ private:
   const Point2& CornerOf(Id triangle, std::size_t corner) const
   {
     const Id id = this->Corners[3 * static_cast<std::size_t>(triangle) + corner];
-    return this->Points[static_cast<std::size_t>(id)];
+    return this->Points[id];
   }
 
   TriangleBuckets& Whole;
