@@ -3,10 +3,9 @@
 
 #include "BitingRemesh.h"
 
-#include "Base/MostVertices.h"
+#include "Base/Ids.h"
 #include "Base/PartOfStage.h"
 #include "Base/Pulse.h"
-#include "Base/StagesOnce.h"
 #include "Biting/BitingScheme.h"
 #include "Domain/DomainLocator.h"
 #include "Domain/Polylines.h"

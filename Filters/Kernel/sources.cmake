@@ -59,7 +59,7 @@ set(biting_kernel_sources
   Biting/BitingState.cxx
   Biting/CandidateQueue.cxx
   Biting/EdgeDivision.cxx
-  Biting/EdgeProtection.cxx
+  Biting/BoundaryProtection.cxx
   Biting/EdgeSamples.cxx
   Biting/FrontTrace.cxx
   Biting/FrontVertices.cxx
@@ -71,7 +71,6 @@ set(biting_kernel_sources
   Biting/SharpCorners.cxx
   Biting/Spokes.cxx
   Biting/VertexEstimate.cxx
-  Biting/VertexProtection.cxx
   Delaunay/SpatialOrder.cxx
   Delaunay/Flips.cxx
   Delaunay/Insertion.cxx
@@ -113,8 +112,7 @@ set(biting_kernel_sources
   Stages/NearMisses.cxx
   Stages/OpenedInterfaces.cxx
   Stages/PeriodicDivision.cxx
-  Stages/PreparedDomain.cxx
-  Stages/PreparedSpacing.cxx
+  Stages/PreparedInput.cxx
   Stages/PreservedSpacing.cxx
   Stages/RelaxedBites.cxx
   Stages/SegmentCover.cxx

@@ -4,10 +4,41 @@
 #ifndef BitingMonitor_h
 #define BitingMonitor_h
 
-#include "Executor.h"
+#include <functional> // for what is to be done
 
 namespace biting
 {
+
+/// The threads that the kernel may use. It starts none itself: who calls it hands them in, with the
+/// monitor (Monitor::Threads).
+class Executor
+{
+public:
+  virtual ~Executor() = default;
+
+  /// At least 1.
+  virtual int NumberOfThreads() const = 0;
+
+  /// Calls `work` on as many threads at once as it can, NumberOfThreads at most and one at least,
+  /// and returns when all calls have returned. Meanwhile the calling thread calls `watch`, at least
+  /// ten times a second. `work` and `watch` throw nothing.
+  virtual void Run(const std::function<void()>& work, const std::function<void()>& watch) = 0;
+};
+
+/// The calling thread, and no other.
+class CallingThread : public Executor
+{
+public:
+  int NumberOfThreads() const override { return 1; }
+  void Run(const std::function<void()>& work, const std::function<void()>&) override { work(); }
+};
+
+/// For those who have no other.
+inline Executor& NoThreads()
+{
+  static CallingThread executor;
+  return executor;
+}
 
 /// Where the kernel reports how far it is, learns whether to stop, and finds threads for its work.
 /// Called from one thread; each loop calls Advance at least every 1024 steps, or every 4096 of

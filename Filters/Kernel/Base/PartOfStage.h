@@ -6,6 +6,9 @@
 
 #include "Monitor.h"
 
+#include <algorithm> // for find, max
+#include <vector>    // for texts
+
 namespace biting
 {
 
@@ -40,6 +43,44 @@ private:
   double First;
   double Last;
   bool Stopped = false;
+};
+
+/// Shows each stage once, where work is done a second time: stages that were shown before are not
+/// shown again, and progress stands still until the last of them is as far as it was.
+class StagesOnce : public Monitor
+{
+public:
+  explicit StagesOnce(Monitor& whole)
+    : Whole(whole)
+  {
+  }
+
+  bool Advance(double fraction) override
+  {
+    this->Fraction = this->IsRepeating ? this->Fraction : std::max(this->Fraction, fraction);
+    return this->Whole.Advance(this->Fraction);
+  }
+
+  void BeginStage(const char* text) override
+  {
+    if (std::find(this->Shown.begin(), this->Shown.end(), text) == this->Shown.end())
+    {
+      this->Shown.push_back(text);
+      this->Fraction = 0.0;
+      this->IsRepeating = false;
+      this->Whole.BeginStage(text);
+      return;
+    }
+    this->IsRepeating = text != this->Shown.back();
+  }
+
+  Executor& Threads() override { return this->Whole.Threads(); }
+
+private:
+  Monitor& Whole;
+  std::vector<const char*> Shown;
+  double Fraction = 0.0; ///< of the last stage
+  bool IsRepeating = false;
 };
 
 } // namespace biting

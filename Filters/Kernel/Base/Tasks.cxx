@@ -3,7 +3,7 @@
 
 #include "Tasks.h"
 
-#include "Executor.h"
+#include "Monitor.h"
 #include "PartOfStage.h"
 
 #include <atomic>    // for what threads share

@@ -4,7 +4,7 @@
 #ifndef BitingMeshOptions_h
 #define BitingMeshOptions_h
 
-#include "../Base/MostVertices.h"
+#include "../Base/Ids.h"
 #include "../Biting/Bites.h"
 #include "../Biting/CandidateQueue.h" // for FrontOrder
 #include "../Domain/Domain.h"

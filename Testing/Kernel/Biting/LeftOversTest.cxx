@@ -6,8 +6,7 @@
 #include "../Support/MeshShapes.h"
 #include "../Support/PolylineShapes.h"
 #include "Biting/BiteOutline.h"
-#include "Biting/EdgeProtection.h"
-#include "Biting/VertexProtection.h"
+#include "Biting/BoundaryProtection.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef BitingPreparedSpacing_h
-#define BitingPreparedSpacing_h
+#ifndef BitingPreparedInput_h
+#define BitingPreparedInput_h
 
 #include "../Base/Monitor.h"
+#include "../Base/PartOfStage.h"
 #include "../Base/Problem.h"
 #include "../Domain/Domain.h"
 #include "../Mesh/BitingMeshOptions.h"
@@ -27,6 +28,15 @@ Spacing PrepareSpacing(const BitingMeshOptions& options, const SimplifiedDomain&
 /// to refuse.
 Spacing PrepareGivenSpacing(
   const BitingMeshOptions& options, const Domain& drawing, ProblemList& problems, Monitor& monitor);
+
+/// The domain of a drawing; without segments where there is none.
+Domain ReadDrawing(const Polylines& input, const BitingMeshOptions& options, ProblemList& problems,
+  Monitor& monitor);
+
+/// The drawing as it is meshed: with fewer vertices, where that is asked for. Refuses a drawing
+/// with more vertices than the mesh may have: all are vertices of the mesh.
+SimplifiedDomain SimplifyDrawing(
+  Domain drawing, const BitingMeshOptions& options, ProblemList& problems, PartOfStage& part);
 
 } // namespace biting
 
