@@ -14,14 +14,13 @@
 #include "Stages/Calibration.h"
 #include "Stages/GivenTriangles.h"
 #include "Stages/MeshSettings.h"
+#include "Stages/MeshedBites.h"
 #include "Stages/MeshingStages.h"
 #include "Stages/NearMisses.h"
 #include "Stages/OpenedInterfaces.h"
 #include "Stages/PeriodicDivision.h"
 #include "Stages/PreparedInput.h"
-#include "Stages/RelaxedBites.h"
 #include "Stages/SharpSectors.h"
-#include "Stages/SoundTriangulation.h"
 #include "Stages/StageProblems.h"
 
 #include <algorithm> // for min, max

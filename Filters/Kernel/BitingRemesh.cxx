@@ -17,9 +17,8 @@
 #include "Remeshing/RemeshRegion.h"
 #include "Remeshing/Stitching.h"
 #include "Simplification/Simplification.h" // for areas that changed
-#include "Stages/RelaxedBites.h"
+#include "Stages/MeshedBites.h"
 #include "Stages/SegmentCover.h"
-#include "Stages/SoundTriangulation.h"
 #include "Stages/StageProblems.h"
 
 #include <algorithm> // for min

@@ -20,7 +20,6 @@ set(biting_kernel_sources
   Spacing/TriangleBuckets.cxx
   Spacing/TriangleInterpolator.cxx
   Hessian/HessianRecovery.cxx
-  Domain/AreaSum.cxx
   Domain/Arrangement.cxx
   Domain/ArrangementResolution.cxx
   Domain/BoundaryComponents.cxx
@@ -38,12 +37,10 @@ set(biting_kernel_sources
   Domain/RuleBoundary.cxx
   Domain/SegmentTree.cxx
   Domain/SegmentWalk.cxx
-  Domain/SlantedBox.cxx
   Domain/VertexGrid.cxx
   Domain/VertexStars.cxx
   Domain/Welding.cxx
   Domain/DomainLocator.cxx
-  Domain/FaceEdge.cxx
   Simplification/ChainCorners.cxx
   Simplification/ChainReduction.cxx
   Simplification/CornerGuard.cxx
@@ -113,11 +110,9 @@ set(biting_kernel_sources
   Stages/OpenedInterfaces.cxx
   Stages/PeriodicDivision.cxx
   Stages/PreparedInput.cxx
-  Stages/PreservedSpacing.cxx
-  Stages/RelaxedBites.cxx
+  Stages/MeshedBites.cxx
   Stages/SegmentCover.cxx
   Stages/SharpSectors.cxx
-  Stages/SoundTriangulation.cxx
   Remeshing/ChangedRegion.cxx
   Remeshing/EdgeSimplification.cxx
   Remeshing/FaceRegions.cxx

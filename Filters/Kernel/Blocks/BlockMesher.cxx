@@ -5,8 +5,7 @@
 
 #include "../Base/PartOfStage.h"
 #include "../Base/Tasks.h"
-#include "../Stages/RelaxedBites.h"
-#include "../Stages/SoundTriangulation.h"
+#include "../Stages/MeshedBites.h"
 #include "../Stages/StageProblems.h"
 #include "CutPlan.h"
 #include "StripParts.h"

@@ -7,7 +7,7 @@
 #include "../Base/Pulse.h"
 #include "../Base/Tasks.h"
 #include "../Relaxation/Relaxation.h"
-#include "../Stages/RelaxedBites.h" // for Exchange
+#include "../Stages/MeshedBites.h" // for Exchange
 #include "StripParts.h"
 #include "StripReturn.h"
 #include "TakenStrip.h"
