@@ -20,7 +20,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"
-#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -116,18 +115,11 @@ int vtkBitingRemesher::FillInputPortInformation(int port, vtkInformation* info)
 int vtkBitingRemesher::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->ErrorCode = vtkErrorCode::NoError;
   this->Summary.clear();
   const biting::Stopwatch watch;
-  const biting::Ranks ranks(request, outputVector);
-  const biting::WholeInput mesh(ranks, inputVector[0]);
-  const biting::WholeInput source(ranks, inputVector[1]);
-  const biting::WholeInput lines(ranks, inputVector[2]);
-  if (ranks.IsFirst())
-  {
-    Execution(this).Run(mesh, source, lines, outputVector);
-  }
-  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, false, this, outputVector);
+  biting::RunOnFirstRank(this, this->ErrorCode, { request, inputVector, outputVector },
+    [this, outputVector](const biting::WholeInputs& inputs)
+    { Execution(this).Run(inputs[0], inputs[1], inputs[2], outputVector); });
   vtkPolyData* output = vtkPolyData::GetData(outputVector, MESH);
   const std::string counts = biting::CountsOf(output);
   const bool isNew = output->GetFieldData()->HasArray("UsedLipschitz");
@@ -204,16 +196,10 @@ bool vtkBitingRemesher::Execution::ReadParameters()
 //------------------------------------------------------------------------------
 std::string vtkBitingRemesher::Execution::ParameterRefusal() const
 {
-  for (const std::string& refusal : { biting::CheckSpacingParameters(this->Options.Spacing),
-         biting::CheckAtLeastZero("Boundary Tolerance", this->Options.BoundaryTolerance),
-         biting::CheckAtLeastZero("Feature Angle", this->Options.FeatureAngle) })
-  {
-    if (!refusal.empty())
-    {
-      return refusal;
-    }
-  }
-  return this->Options.MaximumNumberOfVertices < 1 ? "Maximum Number Of Vertices is below 1." : "";
+  return biting::FirstRefusal({ biting::CheckSpacingParameters(this->Options.Spacing),
+    biting::CheckAtLeastZero("Boundary Tolerance", this->Options.BoundaryTolerance),
+    biting::CheckAtLeastZero("Feature Angle", this->Options.FeatureAngle),
+    biting::CheckMostVertices(this->Options.MaximumNumberOfVertices) });
 }
 
 //------------------------------------------------------------------------------

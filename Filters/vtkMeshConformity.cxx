@@ -22,7 +22,6 @@
 
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
-#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -164,17 +163,11 @@ int vtkMeshConformity::RequestUpdateExtent(
 int vtkMeshConformity::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->ErrorCode = vtkErrorCode::NoError;
   this->Summary.clear();
   const biting::Stopwatch watch;
-  const biting::Ranks ranks(request, outputVector);
-  const biting::WholeInput mesh(ranks, inputVector[0]);
-  const biting::WholeInput source(ranks, inputVector[1]);
-  if (ranks.IsFirst())
-  {
-    Execution(this).Run(mesh, source, outputVector);
-  }
-  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, false, this, outputVector);
+  biting::RunOnFirstRank(this, this->ErrorCode, { request, inputVector, outputVector },
+    [this, outputVector](const biting::WholeInputs& inputs)
+    { Execution(this).Run(inputs[0], inputs[1], outputVector); });
   this->Summary.insert(0, biting::SummaryOf(vtkDataSet::GetData(outputVector, 0), watch.Seconds()));
   return 1; // also where there was an error: views keep what was before it where this is 0
 }

@@ -35,7 +35,6 @@ set(biting_bridge_sources
   Run/ProblemReport.cxx
   Run/SummaryText.cxx
   Source/DomainMembership.cxx
-  Source/GlobeSource.cxx
   Source/SourceCells.cxx
   Source/SourceCover.cxx
   Source/SourceData.cxx
