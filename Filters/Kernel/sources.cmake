@@ -43,7 +43,6 @@ set(biting_kernel_sources
   Domain/DomainLocator.cxx
   Simplification/ChainCorners.cxx
   Simplification/ChainReduction.cxx
-  Simplification/CornerGuard.cxx
   Simplification/DomainChains.cxx
   Simplification/Simplification.cxx
   Simplification/SmallLoops.cxx
@@ -59,7 +58,6 @@ set(biting_kernel_sources
   Biting/BoundaryProtection.cxx
   Biting/EdgeSamples.cxx
   Biting/FrontTrace.cxx
-  Biting/FrontVertices.cxx
   Biting/InteriorBiting.cxx
   Biting/Orientation.cxx
   Biting/LeftOvers.cxx
@@ -127,7 +125,6 @@ set(biting_kernel_sources
   Remeshing/ReleasedVertices.cxx
   Remeshing/RemeshRegion.cxx
   Remeshing/Stitching.cxx
-  Remeshing/WantedSpacing.cxx
   Blocks/BlockCollar.cxx
   Blocks/BlockDomains.cxx
   Blocks/BlockMesher.cxx
@@ -149,7 +146,6 @@ set(biting_kernel_sources
   Pieces/PieceDealer.cxx
   Pieces/PieceMeasures.cxx
   Pieces/PieceUnion.cxx
-  Pieces/SpreadMesh.cxx
   Space/Features/FeatureLines.cxx
   Space/Features/GroundPatches.cxx
   Space/Features/SizeCaps.cxx

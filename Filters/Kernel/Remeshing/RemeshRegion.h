@@ -10,12 +10,55 @@
 #include "ChangedRegion.h"
 #include "EdgeSimplification.h"
 #include "OldMesh.h"
+#include "RegionEdges.h"
 #include "RemeshOptions.h"
 
-#include <vector> // for spacings
+#include <functional> // for the lengths
+#include <memory>     // for sources
+#include <vector>     // for spacings
 
 namespace biting
 {
+
+/// The spacing wanted of an old mesh.
+///
+/// Where values at the vertices give it, they are lowered to the gradation through the mesh
+/// (GradedValues.h). It is linear between them, and preparing it for a region costs no more than
+/// the region. A grid or a triangulation is prepared for all of the mesh.
+class WantedSpacing
+{
+public:
+  /// `values`, one a vertex or none, count where `options` have neither a grid nor a triangulation.
+  WantedSpacing(const OldMesh& mesh, const SpacingOptions& options,
+    const std::vector<double>& values, ProblemList& problems, Monitor& monitor);
+
+  /// f at the vertices, before any limit by feature size; but at those of the last region that
+  /// there were pieces for, with it.
+  const std::vector<double>& AtVertices() const
+  {
+    return this->Limited.empty() ? this->Values : this->Limited;
+  }
+
+  /// f for the region, at most the local feature size of `pieces`, if there are any, but for
+  /// distances not below 1.4 times the lengths of the old edges.
+  Spacing Prepare(const ChangedRegion& region, const RegionEdges* pieces, double mostVertices,
+    ProblemList& problems, Monitor& monitor);
+
+private:
+  void Combine(const std::vector<double>& values, ProblemList& problems);
+  std::shared_ptr<const TriangulatedSource> SourceOn(const ChangedRegion& region) const;
+  double LeastOf(const ChangedRegion& region) const;
+  std::shared_ptr<const FeatureSource> FeaturesOf(const ChangedRegion& region,
+    const RegionEdges& pieces, double mostVertices, Monitor& monitor) const;
+  std::function<double(const Point2&)> LengthsOn(
+    const ChangedRegion& region, Monitor& monitor) const;
+
+  const OldMesh& Mesh;
+  SpacingOptions Options;
+  std::vector<double> Values;
+  std::vector<double> Limited; ///< by feature size
+  bool IsLocal = false;        ///< f is linear between the values
+};
 
 /// What of a mesh must change, and the spacing that it is to have.
 struct RemeshRegion
