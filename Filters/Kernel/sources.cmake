@@ -105,7 +105,6 @@ set(biting_kernel_sources
   Stages/GivenTriangles.cxx
   Stages/MeshAssembly.cxx
   Stages/NearMisses.cxx
-  Stages/OpenedInterfaces.cxx
   Stages/PeriodicDivision.cxx
   Stages/PreparedInput.cxx
   Stages/MeshedBites.cxx
@@ -128,7 +127,6 @@ set(biting_kernel_sources
   Blocks/BlockCollar.cxx
   Blocks/BlockDomains.cxx
   Blocks/BlockMesher.cxx
-  Blocks/CutDivision.cxx
   Blocks/CutFrame.cxx
   Blocks/CutLine.cxx
   Blocks/CutPlan.cxx

@@ -32,7 +32,7 @@ struct BitingMeshOptions
   std::vector<Point2> PeriodicTranslations;
 
   /// Which input cells are cracks: the mesh is cut along their interfaces
-  /// (Stages/OpenedInterfaces.h). May be empty. With it, with translations, and with
+  /// (Stages/MeshAssembly.h). May be empty. With it, with translations, and with
   /// DomainOptions::KeepCellEdges no crew shares the mesh.
   std::function<bool(Id)> Opens;
 
