@@ -27,15 +27,10 @@ bool IsOneOf(const int (&types)[Size], int type)
   return std::find(types, types + Size, type) != types + Size;
 }
 
-class ADCIRCReading
+class ADCIRCReading : private MeshFileReading
 {
 public:
-  ADCIRCReading(MeshFileLines& lines, MeshFile& mesh)
-    : In(lines)
-    , Out(lines, mesh)
-    , Mesh(mesh)
-  {
-  }
+  using MeshFileReading::MeshFileReading;
 
   ReadingResult Read()
   {
@@ -153,9 +148,6 @@ private:
     return isRead && (!isLoop || this->Out.AddEdge({ last[0], first[0] }, group));
   }
 
-  MeshFileLines& In;
-  MeshFileBuilder Out;
-  MeshFile& Mesh;
   std::size_t Nodes = 0;       // of the boundaries that are open, or land
   std::size_t NodesBehind = 0; // on the other side of weirs
   std::size_t Weirs = 0;
@@ -165,8 +157,7 @@ private:
 
 ReadingResult ReadADCIRC(std::istream& file, MeshFile& mesh)
 {
-  MeshFileLines lines(file, MeshFileDialect::Fortran);
-  return ADCIRCReading(lines, mesh).Read();
+  return ADCIRCReading(file, MeshFileDialect::Fortran, mesh).Read();
 }
 
 } // namespace biting

@@ -199,6 +199,21 @@ private:
   std::size_t OfOrderTwo = 0;
 };
 
+/// What the readers of formats have in common.
+struct MeshFileReading
+{
+  MeshFileReading(std::istream& file, MeshFileDialect dialect, MeshFile& mesh)
+    : In(file, dialect)
+    , Out(In, mesh)
+    , Mesh(mesh)
+  {
+  }
+
+  MeshFileLines In;
+  MeshFileBuilder Out;
+  MeshFile& Mesh;
+};
+
 } // namespace biting
 
 #endif

@@ -24,15 +24,10 @@ constexpr std::size_t NodesPerLine = 10;
 constexpr const char* PassedCards[] = { "MESHNAME", "NUM_MATERIALS_PER_ELEM", "BEG2DMBC",
   "END2DMBC" };
 
-class SMSReading
+class SMSReading : private MeshFileReading
 {
 public:
-  SMSReading(MeshFileLines& lines, MeshFile& mesh)
-    : In(lines)
-    , Out(lines, mesh)
-    , Mesh(mesh)
-  {
-  }
+  using MeshFileReading::MeshFileReading;
 
   ReadingResult Read()
   {
@@ -150,9 +145,6 @@ private:
     return isRead;
   }
 
-  MeshFileLines& In;
-  MeshFileBuilder Out;
-  MeshFile& Mesh;
   std::map<std::int64_t, std::string> Materials;
   std::vector<std::int64_t> Nodes; // of the node string that has not ended
   std::int64_t NumberOfStrings = 0;
@@ -215,8 +207,7 @@ void WriteString(const std::vector<Vertex>& nodes, std::int64_t number, std::ost
 
 ReadingResult ReadSMS(std::istream& file, MeshFile& mesh)
 {
-  MeshFileLines lines(file, MeshFileDialect::Gmsh);
-  return SMSReading(lines, mesh).Read();
+  return SMSReading(file, MeshFileDialect::Gmsh, mesh).Read();
 }
 
 void WriteSMS(const MeshFile& mesh, std::ostream& file)

@@ -45,14 +45,10 @@ void NumberByNames(std::vector<MeshGroup>& tags)
   }
 }
 
-class SU2Reading
+class SU2Reading : private MeshFileReading
 {
 public:
-  SU2Reading(MeshFileLines& lines, MeshFile& mesh)
-    : In(lines)
-    , Out(lines, mesh)
-  {
-  }
+  using MeshFileReading::MeshFileReading;
 
   ReadingResult Read()
   {
@@ -187,8 +183,6 @@ private:
       this->ReadCells(count, marker - this->Markers.begin() + 1);
   }
 
-  MeshFileLines& In;
-  MeshFileBuilder Out;
   std::set<std::string> Keys;
   std::vector<std::string> Markers;
   int Dimension = 2;
@@ -201,8 +195,7 @@ private:
 
 ReadingResult ReadSU2(std::istream& file, MeshFile& mesh)
 {
-  MeshFileLines lines(file, MeshFileDialect::SU2);
-  const ReadingResult result = SU2Reading(lines, mesh).Read();
+  const ReadingResult result = SU2Reading(file, MeshFileDialect::SU2, mesh).Read();
   NumberByNames(mesh.Tags);
   return result;
 }
