@@ -72,21 +72,8 @@ bool Separates(const Domain& domain, Id segment, const Point2& p, const Point2& 
 
 } // namespace
 
-DomainLocator::DomainLocator(const Domain& domain)
-  : Geometry(domain)
-{
-  SilentMonitor monitor;
-  Pulse pulse(monitor);
-  this->Build(pulse);
-}
-
 DomainLocator::DomainLocator(const Domain& domain, Pulse& pulse)
   : Geometry(domain)
-{
-  this->Build(pulse);
-}
-
-void DomainLocator::Build(Pulse& pulse)
 {
   this->MakeGrid(pulse);
   this->SetReferences(pulse);

@@ -58,14 +58,6 @@ private:
   Pulse& Beats;
 };
 
-SegmentTree::SegmentTree(
-  const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, double margin)
-{
-  SilentMonitor monitor;
-  Pulse pulse(monitor);
-  *this = SegmentTree(points, segments, margin, pulse);
-}
-
 SegmentTree::SegmentTree(const std::vector<Point2>& points,
   const std::vector<SegmentEnds>& segments, const Margins& margins, Pulse& pulse)
 {

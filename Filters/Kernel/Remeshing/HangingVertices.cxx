@@ -53,7 +53,8 @@ public:
 
   std::vector<Hanging> Find()
   {
-    const SegmentTree tree(this->Mesh.Points, this->Edges, this->Nearest);
+    Pulse pulse(NoMonitor());
+    const SegmentTree tree(this->Mesh.Points, this->Edges, this->Nearest, pulse);
     for (const auto& [vertex, beside] : this->ListEnds())
     {
       const Point2& place = this->Mesh.Points[vertex];
