@@ -15,7 +15,6 @@ set(biting_kernel_sources
   Spacing/JumpsOutside.cxx
   Spacing/SegmentCone.cxx
   Spacing/Source.cxx
-  Spacing/SourceCheck.cxx
   Spacing/Spacing.cxx
   Spacing/TriangleBuckets.cxx
   Spacing/TriangleInterpolator.cxx
@@ -34,7 +33,6 @@ set(biting_kernel_sources
   Domain/OpenOutlines.cxx
   Domain/PeriodicSides.cxx
   Domain/PointWelding.cxx
-  Domain/RuleBoundary.cxx
   Domain/SegmentTree.cxx
   Domain/SegmentWalk.cxx
   Domain/VertexGrid.cxx
@@ -47,13 +45,12 @@ set(biting_kernel_sources
   Simplification/Simplification.cxx
   Simplification/SmallLoops.cxx
   Biting/Bisectors.cxx
-  Biting/BiteFrame.cxx
   Biting/BiteGrid.cxx
   Biting/BiteLists.cxx
   Biting/BiteOutline.cxx
   Biting/BitingScheme.cxx
   Biting/BitingState.cxx
-  Biting/CandidateQueue.cxx
+  Biting/FrontOrder.cxx
   Biting/EdgeDivision.cxx
   Biting/BoundaryProtection.cxx
   Biting/EdgeSamples.cxx
@@ -84,7 +81,6 @@ set(biting_kernel_sources
   Relaxation/DividedSegments.cxx
   Relaxation/EdgeOperations.cxx
   Relaxation/HeldVertices.cxx
-  Relaxation/LongEdges.cxx
   Relaxation/MeshExchange.cxx
   Relaxation/MutableMesh.cxx
   Relaxation/Relaxation.cxx
@@ -114,7 +110,7 @@ set(biting_kernel_sources
   Remeshing/EdgeSimplification.cxx
   Remeshing/FaceRegions.cxx
   Remeshing/FlatTriangles.cxx
-  Remeshing/GradedValues.cxx
+  Remeshing/RemeshRegion.cxx
   Remeshing/HangingVertices.cxx
   Remeshing/KeptVertices.cxx
   Remeshing/OldMesh.cxx
@@ -122,7 +118,6 @@ set(biting_kernel_sources
   Remeshing/OldPlaces.cxx
   Remeshing/RegionEdges.cxx
   Remeshing/ReleasedVertices.cxx
-  Remeshing/RemeshRegion.cxx
   Remeshing/Stitching.cxx
   Blocks/BlockCollar.cxx
   Blocks/BlockDomains.cxx

@@ -11,7 +11,7 @@
 #include "Bisectors.h"
 #include "BiteOutline.h"
 #include "BitingState.h"
-#include "CandidateQueue.h"
+#include "FrontOrder.h"
 #include "LeftOvers.h"
 
 #include <vector> // for bites

@@ -6,7 +6,7 @@
 
 #include "../Base/Ids.h"
 #include "../Biting/Bites.h"
-#include "../Biting/CandidateQueue.h" // for FrontOrder
+#include "../Biting/FrontOrder.h" // for FrontOrder
 #include "../Domain/Domain.h"
 #include "../Simplification/Simplification.h"
 #include "../Spacing/Spacing.h"
