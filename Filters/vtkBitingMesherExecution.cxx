@@ -19,7 +19,7 @@
 #include "Bridge/Source/SourceCover.h"
 #include "Bridge/Source/SourceData.h"
 #include "Bridge/Source/TransferredArrays.h"
-#include "Kernel/Base/PartOfStage.h"
+#include "Kernel/Base/Monitor.h"
 #include "Kernel/BitingMesh.h"
 #include "Kernel/Blocks/ByteStream.h"
 #include "Kernel/Pieces/CrewRounds.h"

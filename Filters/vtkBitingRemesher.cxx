@@ -15,7 +15,7 @@
 #include "Bridge/Run/SummaryText.h"
 #include "Bridge/Source/SourceData.h"
 #include "Bridge/Source/SpacingValues.h"
-#include "Kernel/Base/PartOfStage.h"
+#include "Kernel/Base/Monitor.h"
 #include "Kernel/BitingRemesh.h"
 
 #include "vtkCellArray.h"

@@ -19,7 +19,6 @@ set(biting_bridge_sources
   Drawing/SurfaceFromDrawing.cxx
   Mesh/BitesToPolyData.cxx
   Mesh/BitingBodyToGrid.cxx
-  Mesh/BitingSurfaceToPolyData.cxx
   Mesh/DividedQuads.cxx
   Mesh/MeasuredMesh.cxx
   Mesh/MeasuredTetrahedra.cxx

@@ -278,11 +278,6 @@ void WriteBoundaries(
 
 } // namespace
 
-bool EndsWith(const std::string& name, const std::string& end)
-{
-  return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
-}
-
 std::size_t CountSidesOfNoCell(const MeshFile& mesh)
 {
   return WithCells(mesh,

@@ -4,7 +4,7 @@
 #include "BitingMesh.h"
 
 #include "Base/FreedMemory.h"
-#include "Base/PartOfStage.h"
+#include "Base/Monitor.h"
 #include "Base/Pulse.h"
 #include "Biting/BitingScheme.h"
 #include "Blocks/BlockMesher.h"

@@ -4,7 +4,7 @@
 #include "BitingRemesh.h"
 
 #include "Base/Ids.h"
-#include "Base/PartOfStage.h"
+#include "Base/Monitor.h"
 #include "Base/Pulse.h"
 #include "Biting/BitingScheme.h"
 #include "Domain/DomainLocator.h"

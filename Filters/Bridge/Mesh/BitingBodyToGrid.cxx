@@ -4,7 +4,6 @@
 #include "BitingBodyToGrid.h"
 
 #include "../Data/ArrayFromVector.h"
-#include "BitingSurfaceToPolyData.h"
 #include "MeasuredTetrahedra.h"
 #include "SurfaceToPolyData.h"
 

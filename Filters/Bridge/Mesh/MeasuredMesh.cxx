@@ -31,19 +31,6 @@ constexpr double HighestAngle = 180.0;
 constexpr double HighestConformity = 1.0;
 constexpr double HighestRelativeLength = 3.0;
 
-// `values` of the things with these ids, as one value for each of `size` things; NaN for the
-// others.
-std::vector<double> Spread(
-  const std::vector<double>& values, const std::vector<vtkIdType>& ids, vtkIdType size)
-{
-  std::vector<double> all(static_cast<std::size_t>(size), std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t k = 0; k < ids.size(); ++k)
-  {
-    all[ids[k]] = values[k];
-  }
-  return all;
-}
-
 /// Nothing where there are none.
 void AddWarning(const char* what, const std::vector<Id>& triangles, const char* advice,
   const PlanarFaces& faces, std::vector<std::string>& warnings)
@@ -65,6 +52,17 @@ void AddWarning(const char* what, const std::vector<Id>& triangles, const char* 
 }
 
 } // namespace
+
+std::vector<double> Spread(
+  const std::vector<double>& values, const std::vector<vtkIdType>& ids, vtkIdType size)
+{
+  std::vector<double> all(static_cast<std::size_t>(size), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < ids.size(); ++k)
+  {
+    all[ids[k]] = values[k];
+  }
+  return all;
+}
 
 void AddHistogram(const std::vector<double>& values, double highest, int bins,
   const std::string& name, vtkTable* table)

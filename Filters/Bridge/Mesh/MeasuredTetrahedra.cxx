@@ -106,15 +106,9 @@ void MeasuredTetrahedra::Write(vtkDataSet* output)
   TetQuality& quality = this->Quality;
   const auto addOfCells = [this, output](const char* name, std::vector<double>& values)
   {
-    const auto numberOfCells = static_cast<std::size_t>(output->GetNumberOfCells());
-    if (values.size() != numberOfCells)
+    if (static_cast<vtkIdType>(values.size()) != output->GetNumberOfCells())
     {
-      std::vector<double> all(numberOfCells, Unmeasured);
-      for (std::size_t k = 0; k < this->Cells.size(); ++k)
-      {
-        all[this->Cells[k]] = values[k];
-      }
-      values.swap(all);
+      values = Spread(values, this->Cells, output->GetNumberOfCells());
     }
     AddArray<vtkDoubleArray>(output->GetCellData(), name, values);
     std::vector<double>().swap(values);

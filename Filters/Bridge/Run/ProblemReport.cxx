@@ -4,6 +4,7 @@
 #include "ProblemReport.h"
 
 #include "../Data/ArrayFromVector.h"
+#include "../Data/Arrays.h"
 
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
@@ -124,11 +125,6 @@ const Wording& WordingOf(ProblemCode code)
   return Wordings[static_cast<std::size_t>(code)];
 }
 
-bool IsFinite(const Point3& place)
-{
-  return std::all_of(place.begin(), place.end(), [](double value) { return std::isfinite(value); });
-}
-
 // For each point that is not finite, a finite one beside it in a chain; NoId where there is none.
 class Neighbors
 {
@@ -157,7 +153,7 @@ private:
     {
       const Id point = this->Input.Chains.Connectivity[k];
       const double* place = this->Input.Place(point);
-      if (IsFinite({ place[0], place[1], place[2] }))
+      if (AreFinite(place))
       {
         finite = point;
       }
@@ -231,7 +227,7 @@ void AddGroup(const ProblemGroup& group, const PlanarInput& input, bool isError,
     MoveToNeighbors(input, first, places);
   }
   const auto end = std::remove_if(places.begin() + static_cast<std::ptrdiff_t>(first), places.end(),
-    [](const ProblemPlace& place) { return !IsFinite(place.Place); });
+    [](const ProblemPlace& place) { return !AreFinite(place.Place.Data()); });
   places.erase(end, places.end());
 }
 

@@ -3,7 +3,7 @@
 
 #include "DomainMembership.h"
 
-#include "../../Kernel/Base/PartOfStage.h"
+#include "../../Kernel/Base/Monitor.h"
 #include "../../Kernel/Predicates/Predicates.h"
 
 namespace biting

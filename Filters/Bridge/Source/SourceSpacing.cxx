@@ -355,12 +355,11 @@ std::string AddSourceSpacing(const SourceData& chosen, const PlaneFrame& frame,
   Pulse pulse(monitor);
   vtkDataSet* source = chosen.Data;
   vtkDataArray* given = chosen.Chosen.Array;
-  for (const std::string& refusal : { CheckShape(source, given), CheckImage(source) })
+  const std::string shape = CheckShape(source, given);
+  const std::string unusable = shape.empty() ? CheckImage(source) : shape;
+  if (!unusable.empty())
   {
-    if (!refusal.empty())
-    {
-      return refusal;
-    }
+    return unusable;
   }
   std::vector<double> values =
     KnownValues(source, given, frame, isWanted, LeastValue(options), pulse);

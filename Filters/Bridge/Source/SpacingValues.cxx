@@ -46,9 +46,7 @@ void AddPlace(
   bad.FirstId = point;
   bad.Place = place;
   bad.Message = message;
-  const bool isFinite = std::all_of(
-    place.begin(), place.end(), [](double coordinate) { return std::isfinite(coordinate); });
-  if (isFinite && places.Places.size() < ProblemList::KeptPerKind)
+  if (AreFinite(place.Data()) && places.Places.size() < ProblemList::KeptPerKind)
   {
     places.Places.push_back(bad);
   }

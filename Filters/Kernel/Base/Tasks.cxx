@@ -4,7 +4,6 @@
 #include "Tasks.h"
 
 #include "Monitor.h"
-#include "PartOfStage.h"
 
 #include <atomic>    // for what threads share
 #include <exception> // for what tasks throw

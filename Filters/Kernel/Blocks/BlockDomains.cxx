@@ -3,7 +3,7 @@
 
 #include "BlockDomains.h"
 
-#include "../Base/PartOfStage.h"
+#include "../Base/Monitor.h"
 #include "../Base/PointOnSegment.h"
 #include "../Base/Pulse.h"
 #include "../Biting/EdgeDivision.h"

@@ -3,7 +3,7 @@
 
 #include "BlockMesher.h"
 
-#include "../Base/PartOfStage.h"
+#include "../Base/Monitor.h"
 #include "../Base/Tasks.h"
 #include "../Stages/MeshedBites.h"
 #include "../Stages/StageProblems.h"

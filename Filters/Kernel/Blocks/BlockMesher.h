@@ -7,7 +7,6 @@
 #include "../Base/Crew.h"
 #include "../Base/Ids.h"
 #include "../Base/Monitor.h"
-#include "../Base/PartOfStage.h"
 #include "../Base/Problem.h"
 #include "../Biting/BitingScheme.h"
 #include "../Delaunay/Triangulation.h"

@@ -3,7 +3,7 @@
 
 #include "CutStrip.h"
 
-#include "../Base/PartOfStage.h"
+#include "../Base/Monitor.h"
 #include "../Base/Pulse.h"
 #include "../Base/Tasks.h"
 #include "../Relaxation/Relaxation.h"

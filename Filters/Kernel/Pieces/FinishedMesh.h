@@ -6,7 +6,7 @@
 
 #include "../Base/Crew.h"
 #include "../Base/Ids.h"
-#include "../Base/PartOfStage.h"
+#include "../Base/Monitor.h"
 #include "../Base/Problem.h"
 #include "../Biting/BitingScheme.h"
 #include "../Blocks/BlockMesher.h"

@@ -3,8 +3,8 @@
 
 #include "Quality.h"
 
+#include "../Base/Monitor.h"
 #include "../Base/Numbers.h"
-#include "../Base/PartOfStage.h"
 #include "../Base/Pulse.h"
 #include "../Base/Tasks.h"
 

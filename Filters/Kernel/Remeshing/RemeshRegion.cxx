@@ -5,7 +5,7 @@
 
 #include "../Base/Box.h"
 #include "../Base/IdLists.h"
-#include "../Base/PartOfStage.h"
+#include "../Base/Monitor.h"
 #include "../Base/Pulse.h"
 #include "../Spacing/SegmentCone.h"
 #include "../Spacing/TriangleInterpolator.h"

@@ -3,7 +3,7 @@
 
 #include "MeshedBites.h"
 
-#include "../Base/PartOfStage.h"
+#include "../Base/Monitor.h"
 #include "../Base/Pulse.h"
 #include "../Delaunay/ConstrainedEdges.h"
 #include "StageProblems.h"

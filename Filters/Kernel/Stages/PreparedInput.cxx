@@ -3,7 +3,7 @@
 
 #include "PreparedInput.h"
 
-#include "../Base/PartOfStage.h"
+#include "../Base/Monitor.h"
 #include "../Base/Pulse.h"
 #include "../Spacing/SegmentCone.h"
 #include "StageProblems.h"

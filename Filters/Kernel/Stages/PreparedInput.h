@@ -5,7 +5,6 @@
 #define BitingPreparedInput_h
 
 #include "../Base/Monitor.h"
-#include "../Base/PartOfStage.h"
 #include "../Base/Problem.h"
 #include "../Domain/Domain.h"
 #include "../Mesh/BitingMeshOptions.h"
