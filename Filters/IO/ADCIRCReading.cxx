@@ -27,10 +27,14 @@ bool IsOneOf(const int (&types)[Size], int type)
   return std::find(types, types + Size, type) != types + Size;
 }
 
-class ADCIRCReading : private MeshFileReading
+class ADCIRCReading
 {
 public:
-  using MeshFileReading::MeshFileReading;
+  ADCIRCReading(std::istream& file, MeshFile& mesh)
+    : Out(file, MeshFileDialect::Fortran, mesh)
+    , Mesh(mesh)
+  {
+  }
 
   ReadingResult Read()
   {
@@ -148,6 +152,9 @@ private:
     return isRead && (!isLoop || this->Out.AddEdge({ last[0], first[0] }, group));
   }
 
+  MeshFileBuilder Out;
+  MeshFileLines& In = this->Out.In;
+  MeshFile& Mesh;
   std::size_t Nodes = 0;       // of the boundaries that are open, or land
   std::size_t NodesBehind = 0; // on the other side of weirs
   std::size_t Weirs = 0;
@@ -157,7 +164,7 @@ private:
 
 ReadingResult ReadADCIRC(std::istream& file, MeshFile& mesh)
 {
-  return ADCIRCReading(file, MeshFileDialect::Fortran, mesh).Read();
+  return ADCIRCReading(file, mesh).Read();
 }
 
 } // namespace biting

@@ -19,10 +19,13 @@ MeshFileCell CellInGmsh(int type)
   return CellOfType(Types, type);
 }
 
-class GmshReading : private MeshFileReading
+class GmshReading
 {
 public:
-  using MeshFileReading::MeshFileReading;
+  GmshReading(std::istream& file, MeshFile& mesh)
+    : Out(file, MeshFileDialect::Gmsh, mesh)
+  {
+  }
 
   ReadingResult Read()
   {
@@ -300,6 +303,8 @@ private:
     std::int64_t First() const { return this->Physical.empty() ? 0 : this->Physical.front(); }
   };
 
+  MeshFileBuilder Out;
+  MeshFileLines& In = this->Out.In;
   std::string Version;
   std::map<Entity, std::string> Names; // of physical groups
   std::map<Entity, EntityGroups> Entities;
@@ -309,7 +314,7 @@ private:
 
 ReadingResult ReadGmsh(std::istream& file, MeshFile& mesh)
 {
-  return GmshReading(file, MeshFileDialect::Gmsh, mesh).Read();
+  return GmshReading(file, mesh).Read();
 }
 
 } // namespace biting

@@ -167,8 +167,8 @@ MeshFileCell CellOfType(const std::vector<std::array<int, 4>>& types, int type)
   return {};
 }
 
-MeshFileBuilder::MeshFileBuilder(MeshFileLines& lines, MeshFile& mesh)
-  : In(lines)
+MeshFileBuilder::MeshFileBuilder(std::istream& file, MeshFileDialect dialect, MeshFile& mesh)
+  : In(file, dialect)
   , Mesh(mesh)
 {
 }

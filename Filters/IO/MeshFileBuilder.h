@@ -132,7 +132,9 @@ public:
   /// The name of a group of edges (dimension 1), triangles (2) or tetrahedra (3).
   using NameOf = std::function<std::string(int dimension, std::int64_t number)>;
 
-  MeshFileBuilder(MeshFileLines& lines, MeshFile& mesh);
+  MeshFileBuilder(std::istream& file, MeshFileDialect dialect, MeshFile& mesh);
+
+  MeshFileLines In;
 
   /// Says that this line is not what it should be; returns false.
   bool Fail(const std::string& what);
@@ -183,7 +185,6 @@ private:
     std::vector<MeshGroup>& groups);
   void AddRemarks(const NameOf& nameOf);
 
-  MeshFileLines& In;
   MeshFile& Mesh;
   ReadingResult Result;
   std::unordered_map<std::int64_t, MeshFile::Vertex> Vertices; // by number, never in its order
@@ -197,21 +198,6 @@ private:
   std::size_t Repeated = 0;
   std::size_t Quads = 0;
   std::size_t OfOrderTwo = 0;
-};
-
-/// What the readers of formats have in common.
-struct MeshFileReading
-{
-  MeshFileReading(std::istream& file, MeshFileDialect dialect, MeshFile& mesh)
-    : In(file, dialect)
-    , Out(In, mesh)
-    , Mesh(mesh)
-  {
-  }
-
-  MeshFileLines In;
-  MeshFileBuilder Out;
-  MeshFile& Mesh;
 };
 
 } // namespace biting

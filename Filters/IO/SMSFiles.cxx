@@ -24,10 +24,14 @@ constexpr std::size_t NodesPerLine = 10;
 constexpr const char* PassedCards[] = { "MESHNAME", "NUM_MATERIALS_PER_ELEM", "BEG2DMBC",
   "END2DMBC" };
 
-class SMSReading : private MeshFileReading
+class SMSReading
 {
 public:
-  using MeshFileReading::MeshFileReading;
+  SMSReading(std::istream& file, MeshFile& mesh)
+    : Out(file, MeshFileDialect::Gmsh, mesh)
+    , Mesh(mesh)
+  {
+  }
 
   ReadingResult Read()
   {
@@ -145,6 +149,9 @@ private:
     return isRead;
   }
 
+  MeshFileBuilder Out;
+  MeshFileLines& In = this->Out.In;
+  MeshFile& Mesh;
   std::map<std::int64_t, std::string> Materials;
   std::vector<std::int64_t> Nodes; // of the node string that has not ended
   std::int64_t NumberOfStrings = 0;
@@ -207,7 +214,7 @@ void WriteString(const std::vector<Vertex>& nodes, std::int64_t number, std::ost
 
 ReadingResult ReadSMS(std::istream& file, MeshFile& mesh)
 {
-  return SMSReading(file, MeshFileDialect::Gmsh, mesh).Read();
+  return SMSReading(file, mesh).Read();
 }
 
 void WriteSMS(const MeshFile& mesh, std::ostream& file)

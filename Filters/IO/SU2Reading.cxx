@@ -45,10 +45,13 @@ void NumberByNames(std::vector<MeshGroup>& tags)
   }
 }
 
-class SU2Reading : private MeshFileReading
+class SU2Reading
 {
 public:
-  using MeshFileReading::MeshFileReading;
+  SU2Reading(std::istream& file, MeshFile& mesh)
+    : Out(file, MeshFileDialect::SU2, mesh)
+  {
+  }
 
   ReadingResult Read()
   {
@@ -183,6 +186,8 @@ private:
       this->ReadCells(count, marker - this->Markers.begin() + 1);
   }
 
+  MeshFileBuilder Out;
+  MeshFileLines& In = this->Out.In;
   std::set<std::string> Keys;
   std::vector<std::string> Markers;
   int Dimension = 2;
@@ -195,7 +200,7 @@ private:
 
 ReadingResult ReadSU2(std::istream& file, MeshFile& mesh)
 {
-  const ReadingResult result = SU2Reading(file, MeshFileDialect::SU2, mesh).Read();
+  const ReadingResult result = SU2Reading(file, mesh).Read();
   NumberByNames(mesh.Tags);
   return result;
 }

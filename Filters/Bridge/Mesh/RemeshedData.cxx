@@ -35,15 +35,12 @@ bool IsTransferred(
 class Transfer
 {
 public:
-  Transfer(const RemeshResult& result, const PlanarMesh& mesh, Pulse& pulse)
-    : Result(result)
-    , Mesh(mesh)
-    , Beats(pulse)
-  {
-  }
-
   void CarryPoints(vtkDataSet* from, vtkPointData* to);
   void CarryCells(vtkDataSet* from, const std::string& region, vtkCellData* to);
+
+  const RemeshResult& Result;
+  const PlanarMesh& Mesh;
+  Pulse& Beats;
 
 private:
   std::vector<OldPlace> PlacesOfNewVertices() const;
@@ -54,10 +51,6 @@ private:
   {
     return this->Mesh.PointIds[this->Result.Old.Corners[3 * place.Triangle + corner]];
   }
-
-  const RemeshResult& Result;
-  const PlanarMesh& Mesh;
-  Pulse& Beats;
 };
 
 void Transfer::CarryPoints(vtkDataSet* from, vtkPointData* to)
@@ -203,7 +196,7 @@ void TransferData(const RemeshResult& result, const PlanarMesh& mesh, vtkDataSet
   {
     output->GetCellData()->RemoveArray(region.c_str());
   }
-  Transfer transfer(result, mesh, pulse);
+  Transfer transfer{ result, mesh, pulse };
   transfer.CarryPoints(from, output->GetPointData());
   transfer.CarryCells(from, region, output->GetCellData());
 }

@@ -7,7 +7,7 @@
 #include "BoundaryComponents.h"
 #include "Nesting.h"
 
-#include <algorithm> // for any_of
+#include <algorithm> // for any_of, binary_search, set_symmetric_difference, sort
 #include <cstddef>   // for size_t
 #include <iterator>  // for back_inserter
 #include <map>       // for areas

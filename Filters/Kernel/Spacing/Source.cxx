@@ -7,7 +7,7 @@
 #include "../Base/Pulse.h"
 #include "Spacing.h"
 
-#include <algorithm> // for min
+#include <algorithm> // for all_of, is_sorted, min
 #include <cassert>   // for our own mistakes
 #include <locale>    // for numbers that look the same everywhere
 #include <sstream>   // for details
