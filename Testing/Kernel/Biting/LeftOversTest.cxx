@@ -27,7 +27,7 @@ protected:
 
   CrowdOfBites()
     : Made(Make(PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, Sides)).Lines()))
-    , Locator(this->Made.Domain)
+    , Locator(this->Made.Domain, this->Unheard)
     , F(Prepare())
     , Options(GetParam(), Placement::Bisectors)
   {
@@ -74,6 +74,7 @@ protected:
   }
 
   const MadeDomain Made;
+  Pulse Unheard{ NoMonitor() };
   const DomainLocator Locator;
   const Spacing F;
   const BitingOptions Options;
