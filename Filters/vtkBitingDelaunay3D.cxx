@@ -243,7 +243,7 @@ void vtkBitingDelaunay3D::Execution::Write(vtkUnstructuredGrid* output)
         for (std::size_t k = 0; k < 4; ++k)
         {
           const biting::Id vertex = mesh.Corners[4 * cell + k];
-          corners.push_back(this->Result.Order[static_cast<std::size_t>(vertex)]);
+          corners.push_back(this->Result.Order[vertex]);
         }
       }
     });

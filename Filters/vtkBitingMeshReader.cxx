@@ -138,13 +138,12 @@ vtkSmartPointer<vtkCellArray> MakeSides(const MeshFile& file,
   {
     for (MeshFile::Vertex& end : side)
     {
-      const auto vertex = static_cast<std::size_t>(end);
-      if (own[vertex] == none)
+      if (own[end] == none)
       {
-        own[vertex] = points->InsertNextPoint(file.Points[vertex].data());
+        own[end] = points->InsertNextPoint(file.Points[end].data());
         ids->InsertNextValue(static_cast<vtkIdType>(end));
       }
-      end = own[vertex];
+      end = own[end];
     }
   }
   boundary->SetPoints(points);

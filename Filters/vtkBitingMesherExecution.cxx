@@ -19,7 +19,7 @@
 #include "Bridge/Source/SourceCover.h"
 #include "Bridge/Source/SourceData.h"
 #include "Bridge/Source/TransferredArrays.h"
-#include "Kernel/Base/PartOfStage.h"
+#include "Kernel/Base/Monitor.h"
 #include "Kernel/BitingMesh.h"
 #include "Kernel/Blocks/ByteStream.h"
 #include "Kernel/Pieces/CrewRounds.h"
@@ -337,7 +337,7 @@ bool vtkBitingMesher::Execution::FindCells()
   faces.CorrectBy(votes, this->Mesh, this->TriangleCells, pulse);
   for (biting::Id& cell : this->TriangleCells)
   {
-    cell = this->Planar.Chains.Cells[static_cast<std::size_t>(cell)];
+    cell = this->Planar.Chains.Cells[cell];
   }
   return !pulse.HasStopped();
 }

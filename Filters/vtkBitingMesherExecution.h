@@ -11,7 +11,7 @@
 #include "Bridge/Ranks/RankCrew.h"
 #include "Bridge/Ranks/Ranks.h"
 #include "Bridge/Run/FilterRun.h"
-#include "Kernel/Base/PartOfStage.h"
+#include "Kernel/Base/Monitor.h"
 #include "Kernel/BitingMesh.h"
 #include "Kernel/Stages/CoveringFaces.h"
 

@@ -15,12 +15,11 @@
 #include "Bridge/Run/SummaryText.h"
 #include "Bridge/Source/SourceData.h"
 #include "Bridge/Source/SpacingValues.h"
-#include "Kernel/Base/PartOfStage.h"
+#include "Kernel/Base/Monitor.h"
 #include "Kernel/BitingRemesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"
-#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -116,18 +115,11 @@ int vtkBitingRemesher::FillInputPortInformation(int port, vtkInformation* info)
 int vtkBitingRemesher::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->ErrorCode = vtkErrorCode::NoError;
   this->Summary.clear();
   const biting::Stopwatch watch;
-  const biting::Ranks ranks(request, outputVector);
-  const biting::WholeInput mesh(ranks, inputVector[0]);
-  const biting::WholeInput source(ranks, inputVector[1]);
-  const biting::WholeInput lines(ranks, inputVector[2]);
-  if (ranks.IsFirst())
-  {
-    Execution(this).Run(mesh, source, lines, outputVector);
-  }
-  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, false, this, outputVector);
+  biting::RunOnFirstRank(this, this->ErrorCode, { request, inputVector, outputVector },
+    [this, outputVector](const biting::WholeInputs& inputs)
+    { Execution(this).Run(inputs[0], inputs[1], inputs[2], outputVector); });
   vtkPolyData* output = vtkPolyData::GetData(outputVector, MESH);
   const std::string counts = biting::CountsOf(output);
   const bool isNew = output->GetFieldData()->HasArray("UsedLipschitz");
@@ -204,16 +196,10 @@ bool vtkBitingRemesher::Execution::ReadParameters()
 //------------------------------------------------------------------------------
 std::string vtkBitingRemesher::Execution::ParameterRefusal() const
 {
-  for (const std::string& refusal : { biting::CheckSpacingParameters(this->Options.Spacing),
-         biting::CheckAtLeastZero("Boundary Tolerance", this->Options.BoundaryTolerance),
-         biting::CheckAtLeastZero("Feature Angle", this->Options.FeatureAngle) })
-  {
-    if (!refusal.empty())
-    {
-      return refusal;
-    }
-  }
-  return this->Options.MaximumNumberOfVertices < 1 ? "Maximum Number Of Vertices is below 1." : "";
+  return biting::FirstRefusal({ biting::CheckSpacingParameters(this->Options.Spacing),
+    biting::CheckAtLeastZero("Boundary Tolerance", this->Options.BoundaryTolerance),
+    biting::CheckAtLeastZero("Feature Angle", this->Options.FeatureAngle),
+    biting::CheckMostVertices(this->Options.MaximumNumberOfVertices) });
 }
 
 //------------------------------------------------------------------------------
@@ -277,7 +263,7 @@ std::string vtkBitingRemesher::Execution::AddValues()
     biting::LeastValue(this->Options.Spacing), values, this->Places, pulse);
   for (std::size_t k = 0; refusal.empty() && k < this->Mesh.PointIds.size(); ++k)
   {
-    this->Options.Values.push_back(values[static_cast<std::size_t>(this->Mesh.PointIds[k])]);
+    this->Options.Values.push_back(values[this->Mesh.PointIds[k]]);
   }
   return refusal;
 }
@@ -309,18 +295,17 @@ void vtkBitingRemesher::Execution::NumberPoints()
     this->Mesh.CellIds.clear();
     for (const biting::Id origin : this->Result.Old.Origins)
     {
-      this->Mesh.CellIds.push_back(before[static_cast<std::size_t>(origin)]);
+      this->Mesh.CellIds.push_back(before[origin]);
     }
   }
   for (biting::Id& original : this->Result.Mesh.OriginalPoints)
   {
-    original = original == biting::NoId
-      ? original
-      : static_cast<biting::Id>(this->Mesh.PointIds[static_cast<std::size_t>(original)]);
+    original =
+      original == biting::NoId ? original : static_cast<biting::Id>(this->Mesh.PointIds[original]);
   }
   for (biting::Id& line : this->Result.Mesh.EdgeCells)
   {
-    line = line == biting::NoId ? line : this->Mesh.Input.LineCells[static_cast<std::size_t>(line)];
+    line = line == biting::NoId ? line : this->Mesh.Input.LineCells[line];
   }
 }
 
@@ -366,7 +351,7 @@ void vtkBitingRemesher::Execution::WriteUnchanged(
   {
     for (biting::Id& end : *ends)
     {
-      end = static_cast<biting::Id>(this->Mesh.PointIds[static_cast<std::size_t>(end)]);
+      end = static_cast<biting::Id>(this->Mesh.PointIds[end]);
     }
   }
   vtkNew<vtkPoints> points;

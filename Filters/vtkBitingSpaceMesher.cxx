@@ -141,7 +141,7 @@ bool vtkBitingSpaceMesher::Execution::ReadRegions()
   biting::SurfaceMesh& mesh = this->Given.Mesh;
   for (std::size_t t = 0; t < mesh.Cells.size() && this->Regions.Array; ++t)
   {
-    mesh.Regions.push_back(this->Regions.Pairs[static_cast<std::size_t>(mesh.Cells[t])]);
+    mesh.Regions.push_back(this->Regions.Pairs[mesh.Cells[t]]);
   }
   return !pulse.HasStopped();
 }
@@ -192,7 +192,7 @@ bool vtkBitingSpaceMesher::Execution::Check()
   this->Options.Regions = this->Surface.Shells.RegionOf;
   for (std::size_t t = 0; t < cells.size() && this->Regions.Array; ++t)
   {
-    this->Options.Regions[t] = this->Regions.Numbers[static_cast<std::size_t>(cells[t])];
+    this->Options.Regions[t] = this->Regions.Numbers[cells[t]];
   }
   return this->AcceptProblems(nullptr) && !this->WasAborted() &&
     this->Accept(this->Surface.Mesh.NumberOfTriangles() == 0

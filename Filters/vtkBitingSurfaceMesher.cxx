@@ -3,7 +3,6 @@
 
 #include "vtkBitingSurfaceMesher.h"
 
-#include "Bridge/Mesh/BitingSurfaceToPolyData.h"
 #include "Bridge/Mesh/SurfaceToPolyData.h"
 #include "vtkBitingSpaceMesherExecution.h"
 

@@ -4,7 +4,7 @@
 #include "vtkBitingTetrahedralizer.h"
 
 #include "Bridge/Mesh/BitingBodyToGrid.h"
-#include "Bridge/Mesh/BitingSurfaceToPolyData.h"
+#include "Bridge/Mesh/SurfaceToPolyData.h"
 #include "Kernel/Space/Meshing/BodyMesher.h"
 #include "vtkBitingSpaceMesherExecution.h"
 

@@ -14,7 +14,6 @@
 
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -125,15 +124,9 @@ int vtkHessianSpacing::RequestUpdateExtent(
 int vtkHessianSpacing::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->ErrorCode = vtkErrorCode::NoError;
-  const biting::Ranks ranks(request, outputVector);
-  const biting::WholeInput input(ranks, inputVector[0]);
-  if (ranks.IsFirst())
-  {
-    Execution(this).Run(input, outputVector);
-  }
-  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, false, this, outputVector);
-  return 1; // also where there was an error: views keep what was before it where this is 0
+  return biting::RunOnFirstRank(this, this->ErrorCode, { request, inputVector, outputVector },
+    [this, outputVector](const biting::WholeInputs& inputs)
+    { Execution(this).Run(inputs[0], outputVector); });
 }
 
 //------------------------------------------------------------------------------
@@ -187,12 +180,12 @@ bool vtkHessianSpacing::Execution::ReadFaces()
 //------------------------------------------------------------------------------
 std::string vtkHessianSpacing::Execution::ParameterRefusal() const
 {
-  const std::string refusal =
-    biting::CheckAtLeastZero("Error Tolerance", this->Filter->ErrorTolerance);
   biting::SpacingOptions bounds;
   bounds.Minimum = this->Filter->MinimumSpacing;
   bounds.Maximum = this->Filter->MaximumSpacing;
-  return refusal.empty() ? biting::CheckSpacingParameters(bounds) : refusal;
+  return biting::FirstRefusal(
+    { biting::CheckAtLeastZero("Error Tolerance", this->Filter->ErrorTolerance),
+      biting::CheckSpacingParameters(bounds) });
 }
 
 //------------------------------------------------------------------------------
@@ -300,14 +293,9 @@ double vtkHessianSpacing::Execution::Tolerance() const
 //------------------------------------------------------------------------------
 double vtkHessianSpacing::Execution::LargestSpacing() const
 {
-  biting::Box2 box;
-  for (const biting::Point2& point : this->Faces.Points)
-  {
-    box.Add(point);
-  }
   return this->Filter->MaximumSpacing > 0.0
     ? this->Filter->MaximumSpacing
-    : std::max(box.Diagonal(), this->Filter->MinimumSpacing);
+    : std::max(biting::Box2::Around(this->Faces.Points).Diagonal(), this->Filter->MinimumSpacing);
 }
 
 //------------------------------------------------------------------------------

@@ -22,7 +22,6 @@
 
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
-#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -164,17 +163,11 @@ int vtkMeshConformity::RequestUpdateExtent(
 int vtkMeshConformity::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->ErrorCode = vtkErrorCode::NoError;
   this->Summary.clear();
   const biting::Stopwatch watch;
-  const biting::Ranks ranks(request, outputVector);
-  const biting::WholeInput mesh(ranks, inputVector[0]);
-  const biting::WholeInput source(ranks, inputVector[1]);
-  if (ranks.IsFirst())
-  {
-    Execution(this).Run(mesh, source, outputVector);
-  }
-  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, false, this, outputVector);
+  biting::RunOnFirstRank(this, this->ErrorCode, { request, inputVector, outputVector },
+    [this, outputVector](const biting::WholeInputs& inputs)
+    { Execution(this).Run(inputs[0], inputs[1], outputVector); });
   this->Summary.insert(0, biting::SummaryOf(vtkDataSet::GetData(outputVector, 0), watch.Seconds()));
   return 1; // also where there was an error: views keep what was before it where this is 0
 }
@@ -325,11 +318,7 @@ bool vtkMeshConformity::Execution::ReadSource(biting::SpacingOptions& options)
 bool vtkMeshConformity::Execution::Compare(biting::SpacingOptions options)
 {
   options.Curvature = this->Mesh.Faces.Frame.Curvature();
-  biting::Box2 box;
-  for (const biting::Point2& point : this->Mesh.Faces.Points)
-  {
-    box.Add(point);
-  }
+  const biting::Box2 box = biting::Box2::Around(this->Mesh.Faces.Points);
   const biting::Spacing spacing = biting::MakeSpacing(options, box, this->Problems, this->Progress);
   biting::PlanarInput planar;
   planar.Frame = this->Mesh.Faces.Frame;
@@ -371,8 +360,8 @@ bool vtkMeshConformity::Execution::ReadOwnSpacing(vtkDataArray* values)
   const biting::PlanarFaces& faces = this->Mesh.Faces;
   for (std::size_t vertex = 0; vertex < faces.Points.size(); ++vertex)
   {
-    this->Mesh.Spacing.push_back(faces.Frame.StretchAt(faces.Points[vertex]) *
-      read[static_cast<std::size_t>(faces.PointIds[vertex])]);
+    this->Mesh.Spacing.push_back(
+      faces.Frame.StretchAt(faces.Points[vertex]) * read[faces.PointIds[vertex]]);
   }
   this->Mesh.GivenLipschitz = biting::LargestSlope(this->Mesh.View(), this->Progress);
   this->Mesh.HasSpacing = true;

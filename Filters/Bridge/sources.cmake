@@ -19,7 +19,6 @@ set(biting_bridge_sources
   Drawing/SurfaceFromDrawing.cxx
   Mesh/BitesToPolyData.cxx
   Mesh/BitingBodyToGrid.cxx
-  Mesh/BitingSurfaceToPolyData.cxx
   Mesh/DividedQuads.cxx
   Mesh/MeasuredMesh.cxx
   Mesh/MeasuredTetrahedra.cxx
@@ -35,7 +34,6 @@ set(biting_bridge_sources
   Run/ProblemReport.cxx
   Run/SummaryText.cxx
   Source/DomainMembership.cxx
-  Source/GlobeSource.cxx
   Source/SourceCells.cxx
   Source/SourceCover.cxx
   Source/SourceData.cxx

@@ -30,9 +30,8 @@ bool IsOneOf(const int (&types)[Size], int type)
 class ADCIRCReading
 {
 public:
-  ADCIRCReading(MeshFileLines& lines, MeshFile& mesh)
-    : In(lines)
-    , Out(lines, mesh)
+  ADCIRCReading(std::istream& file, MeshFile& mesh)
+    : Out(file, MeshFileDialect::Fortran, mesh)
     , Mesh(mesh)
   {
   }
@@ -153,8 +152,8 @@ private:
     return isRead && (!isLoop || this->Out.AddEdge({ last[0], first[0] }, group));
   }
 
-  MeshFileLines& In;
   MeshFileBuilder Out;
+  MeshFileLines& In = this->Out.In;
   MeshFile& Mesh;
   std::size_t Nodes = 0;       // of the boundaries that are open, or land
   std::size_t NodesBehind = 0; // on the other side of weirs
@@ -165,8 +164,7 @@ private:
 
 ReadingResult ReadADCIRC(std::istream& file, MeshFile& mesh)
 {
-  MeshFileLines lines(file, MeshFileDialect::Fortran);
-  return ADCIRCReading(lines, mesh).Read();
+  return ADCIRCReading(file, mesh).Read();
 }
 
 } // namespace biting

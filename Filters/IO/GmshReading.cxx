@@ -22,9 +22,8 @@ MeshFileCell CellInGmsh(int type)
 class GmshReading
 {
 public:
-  GmshReading(MeshFileLines& lines, MeshFile& mesh)
-    : In(lines)
-    , Out(lines, mesh)
+  GmshReading(std::istream& file, MeshFile& mesh)
+    : Out(file, MeshFileDialect::Gmsh, mesh)
   {
   }
 
@@ -131,10 +130,8 @@ private:
     isRead = isRead && this->In.Read(counts[0], counts[1], counts[2], counts[3]);
     for (int dimension = 0; isRead && dimension < 4; ++dimension)
     {
-      for (std::size_t k = 0; isRead && k < counts[static_cast<std::size_t>(dimension)]; ++k)
-      {
-        isRead = this->ReadEntity(dimension, arePartitioned);
-      }
+      isRead = Repeat(counts[dimension],
+        [this, dimension, arePartitioned] { return this->ReadEntity(dimension, arePartitioned); });
     }
     return isRead || this->Out.Fail("an entity");
   }
@@ -162,29 +159,24 @@ private:
       std::size_t parts = 0;
       isRead = isRead && this->In.More(parentDimension, parent, parts);
       entity.Number = parentDimension == dimension ? parent : number;
-      for (std::size_t k = 0; isRead && k < parts; ++k)
-      {
-        isRead = this->In.More(number);
-      }
+      isRead = isRead && Repeat(parts, [this, &number] { return this->In.More(number); });
     }
-    for (int k = 0; isRead && k < (dimension == 0 ? 3 : 6); ++k)
-    {
-      isRead = this->In.PassNumber();
-    }
-    std::size_t count = 0;
-    isRead = isRead && this->In.More(count);
-    for (std::size_t k = 0; isRead && k < count; ++k)
+    const auto readPhysical = [this, &entity]
     {
       int physical = 0;
-      isRead = this->In.More(physical);
+      const bool isPhysical = this->In.More(physical);
       entity.Physical.push_back(std::abs(std::int64_t{ physical }));
-    }
-    isRead = isRead && (dimension == 0 || this->In.More(count)); // of entities around it
-    for (std::size_t k = 0; isRead && dimension > 0 && k < count; ++k)
-    {
-      isRead = this->In.More(number);
-    }
-    return isRead && this->In.IsRead();
+      return isPhysical;
+    };
+    std::size_t count = 0;
+    isRead = isRead && Repeat(dimension == 0 ? 3 : 6, [this] { return this->In.PassNumber(); }) &&
+      this->In.More(count) && Repeat(count, readPhysical);
+    // The entities around it.
+    return isRead &&
+      (dimension == 0 ||
+        (this->In.More(count) &&
+          Repeat(count, [this, &number] { return this->In.More(number); }))) &&
+      this->In.IsRead();
   }
 
   bool ReadNodes()
@@ -311,8 +303,8 @@ private:
     std::int64_t First() const { return this->Physical.empty() ? 0 : this->Physical.front(); }
   };
 
-  MeshFileLines& In;
   MeshFileBuilder Out;
+  MeshFileLines& In = this->Out.In;
   std::string Version;
   std::map<Entity, std::string> Names; // of physical groups
   std::map<Entity, EntityGroups> Entities;
@@ -322,8 +314,7 @@ private:
 
 ReadingResult ReadGmsh(std::istream& file, MeshFile& mesh)
 {
-  MeshFileLines lines(file, MeshFileDialect::Gmsh);
-  return GmshReading(lines, mesh).Read();
+  return GmshReading(file, mesh).Read();
 }
 
 } // namespace biting

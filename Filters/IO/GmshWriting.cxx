@@ -42,7 +42,7 @@ std::vector<std::vector<std::size_t>> VerticesByEntity(
     {
       for (const Vertex vertex : all[k])
       {
-        std::size_t& owner = entities[static_cast<std::size_t>(vertex)];
+        std::size_t& owner = entities[vertex];
         owner = owner == none ? first + groups[k] : owner;
       }
     }

@@ -137,12 +137,12 @@ std::vector<Vertex> TakeLoop(std::multimap<Vertex, Vertex>& edges)
 template <typename Loop>
 double Area(const MeshFile& mesh, const Loop& loop)
 {
-  const auto& origin = mesh.Points[static_cast<std::size_t>(loop.front())];
+  const auto& origin = mesh.Points[loop.front()];
   double area = 0.0;
   for (std::size_t k = 0; k < loop.size(); ++k)
   {
-    const auto& a = mesh.Points[static_cast<std::size_t>(loop[k])];
-    const auto& b = mesh.Points[static_cast<std::size_t>(loop[(k + 1) % loop.size()])];
+    const auto& a = mesh.Points[loop[k]];
+    const auto& b = mesh.Points[loop[(k + 1) % loop.size()]];
     area += (a[0] - origin[0]) * (b[1] - origin[1]) - (b[0] - origin[0]) * (a[1] - origin[1]);
   }
   return area;
@@ -278,11 +278,6 @@ void WriteBoundaries(
 
 } // namespace
 
-bool EndsWith(const std::string& name, const std::string& end)
-{
-  return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
-}
-
 std::size_t CountSidesOfNoCell(const MeshFile& mesh)
 {
   return WithCells(mesh,
@@ -311,7 +306,7 @@ std::size_t OrientTetrahedra(MeshFile& mesh)
 {
   const auto at = [&mesh](Vertex vertex)
   {
-    const auto& place = mesh.Points[static_cast<std::size_t>(vertex)];
+    const auto& place = mesh.Points[vertex];
     return Point3{ place[0], place[1], place[2] };
   };
   int sign = 1;
@@ -420,7 +415,7 @@ void WriteSU2(const MeshFile& mesh, std::ostream& file)
       {
         for (int axis = 0; axis < dimension; ++axis)
         {
-          file << mesh.Points[vertex][static_cast<std::size_t>(axis)] << " ";
+          file << mesh.Points[vertex][axis] << " ";
         }
         file << vertex << "\n";
       }

@@ -23,9 +23,6 @@ namespace biting
 /// As many digits as give a number back when it is read.
 constexpr int DigitsOfDouble = std::numeric_limits<double>::max_digits10;
 
-/// Whether a file has a name with this end, by which the format is chosen.
-bool EndsWith(const std::string& name, const std::string& end);
-
 /// What a set of cells or sides is called in a file.
 struct MeshGroup
 {

@@ -167,8 +167,8 @@ MeshFileCell CellOfType(const std::vector<std::array<int, 4>>& types, int type)
   return {};
 }
 
-MeshFileBuilder::MeshFileBuilder(MeshFileLines& lines, MeshFile& mesh)
-  : In(lines)
+MeshFileBuilder::MeshFileBuilder(std::istream& file, MeshFileDialect dialect, MeshFile& mesh)
+  : In(file, dialect)
   , Mesh(mesh)
 {
 }
@@ -401,7 +401,7 @@ bool MeshFileBuilder::AddQuad(const Cell& cell)
   std::array<std::array<double, 3>, 4> places{};
   for (std::size_t k = 0; k < 4; ++k)
   {
-    places[k] = this->Mesh.Points[static_cast<std::size_t>(cell.Corners[k])];
+    places[k] = this->Mesh.Points[cell.Corners[k]];
   }
   const QuadDiagonal diagonal = FindQuadDiagonal(places);
   if (diagonal == QuadDiagonal::None)
@@ -429,13 +429,13 @@ void MeshFileBuilder::RemoveMiddles()
   std::vector<bool> isMiddle(this->Mesh.Points.size(), false);
   for (const auto& middle : this->Middles)
   {
-    isMiddle[static_cast<std::size_t>(middle.first)] = true;
+    isMiddle[middle.first] = true;
   }
   for (const Cell& cell : this->Cells)
   {
     for (std::size_t k = 0; k < cell.Size; ++k)
     {
-      isMiddle[static_cast<std::size_t>(cell.Corners[k])] = false;
+      isMiddle[cell.Corners[k]] = false;
     }
   }
   std::vector<MeshFile::Vertex> numbers;
@@ -443,7 +443,7 @@ void MeshFileBuilder::RemoveMiddles()
   for (std::size_t vertex = 0; vertex < isMiddle.size(); ++vertex)
   {
     numbers.push_back(kept);
-    this->Mesh.Points[static_cast<std::size_t>(kept)] = this->Mesh.Points[vertex];
+    this->Mesh.Points[kept] = this->Mesh.Points[vertex];
     kept += isMiddle[vertex] ? 0 : 1;
   }
   this->Mesh.Points.resize(static_cast<std::size_t>(kept));
@@ -453,7 +453,7 @@ void MeshFileBuilder::RemoveMiddles()
     {
       for (MeshFile::Vertex& corner : cell)
       {
-        corner = numbers[static_cast<std::size_t>(corner)];
+        corner = numbers[corner];
       }
     }
   };

@@ -132,7 +132,9 @@ public:
   /// The name of a group of edges (dimension 1), triangles (2) or tetrahedra (3).
   using NameOf = std::function<std::string(int dimension, std::int64_t number)>;
 
-  MeshFileBuilder(MeshFileLines& lines, MeshFile& mesh);
+  MeshFileBuilder(std::istream& file, MeshFileDialect dialect, MeshFile& mesh);
+
+  MeshFileLines In;
 
   /// Says that this line is not what it should be; returns false.
   bool Fail(const std::string& what);
@@ -170,7 +172,7 @@ private:
   };
   using Groups = std::map<Group, std::size_t>;
 
-  Groups& GroupsOf(int dimension) { return this->AllGroups[static_cast<std::size_t>(dimension)]; }
+  Groups& GroupsOf(int dimension) { return this->AllGroups[dimension]; }
   bool Add(Cell& cell, const Group& group);
   bool FindVertices();
   bool FindVertex(std::size_t line, std::int64_t& number);
@@ -183,7 +185,6 @@ private:
     std::vector<MeshGroup>& groups);
   void AddRemarks(const NameOf& nameOf);
 
-  MeshFileLines& In;
   MeshFile& Mesh;
   ReadingResult Result;
   std::unordered_map<std::int64_t, MeshFile::Vertex> Vertices; // by number, never in its order

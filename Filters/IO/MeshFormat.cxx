@@ -27,6 +27,11 @@ const MeshFormat Formats[] = {
     [](const MeshFile& mesh, const Flags&, std::ostream& file) { WriteUGRID(mesh, file); } },
 };
 
+bool EndsWith(const std::string& name, const std::string& end)
+{
+  return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+}
+
 } // namespace
 
 const MeshFormat* FormatOf(const std::string& name)

@@ -27,9 +27,8 @@ constexpr const char* PassedCards[] = { "MESHNAME", "NUM_MATERIALS_PER_ELEM", "B
 class SMSReading
 {
 public:
-  SMSReading(MeshFileLines& lines, MeshFile& mesh)
-    : In(lines)
-    , Out(lines, mesh)
+  SMSReading(std::istream& file, MeshFile& mesh)
+    : Out(file, MeshFileDialect::Gmsh, mesh)
     , Mesh(mesh)
   {
   }
@@ -150,8 +149,8 @@ private:
     return isRead;
   }
 
-  MeshFileLines& In;
   MeshFileBuilder Out;
+  MeshFileLines& In = this->Out.In;
   MeshFile& Mesh;
   std::map<std::int64_t, std::string> Materials;
   std::vector<std::int64_t> Nodes; // of the node string that has not ended
@@ -215,8 +214,7 @@ void WriteString(const std::vector<Vertex>& nodes, std::int64_t number, std::ost
 
 ReadingResult ReadSMS(std::istream& file, MeshFile& mesh)
 {
-  MeshFileLines lines(file, MeshFileDialect::Gmsh);
-  return SMSReading(lines, mesh).Read();
+  return SMSReading(file, mesh).Read();
 }
 
 void WriteSMS(const MeshFile& mesh, std::ostream& file)

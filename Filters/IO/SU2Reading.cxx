@@ -48,9 +48,8 @@ void NumberByNames(std::vector<MeshGroup>& tags)
 class SU2Reading
 {
 public:
-  SU2Reading(MeshFileLines& lines, MeshFile& mesh)
-    : In(lines)
-    , Out(lines, mesh)
+  SU2Reading(std::istream& file, MeshFile& mesh)
+    : Out(file, MeshFileDialect::SU2, mesh)
   {
   }
 
@@ -187,8 +186,8 @@ private:
       this->ReadCells(count, marker - this->Markers.begin() + 1);
   }
 
-  MeshFileLines& In;
   MeshFileBuilder Out;
+  MeshFileLines& In = this->Out.In;
   std::set<std::string> Keys;
   std::vector<std::string> Markers;
   int Dimension = 2;
@@ -201,8 +200,7 @@ private:
 
 ReadingResult ReadSU2(std::istream& file, MeshFile& mesh)
 {
-  MeshFileLines lines(file, MeshFileDialect::SU2);
-  const ReadingResult result = SU2Reading(lines, mesh).Read();
+  const ReadingResult result = SU2Reading(file, mesh).Read();
   NumberByNames(mesh.Tags);
   return result;
 }

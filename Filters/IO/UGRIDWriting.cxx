@@ -149,8 +149,7 @@ Sides SidesOf(const MeshFile& mesh)
     const auto [low, high] = std::minmax(mesh.Edges[k][0], mesh.Edges[k][1]);
     const Pair edge{ static_cast<int>(low), static_cast<int>(high) };
     const auto found = std::lower_bound(sides.Edges.begin(), sides.Edges.end(), edge);
-    sides.Tags[static_cast<std::size_t>(found - sides.Edges.begin())] =
-      static_cast<int>(mesh.Tags[mesh.TagOfSide[k]].Number);
+    sides.Tags[found - sides.Edges.begin()] = static_cast<int>(mesh.Tags[mesh.TagOfSide[k]].Number);
   }
   return sides;
 }

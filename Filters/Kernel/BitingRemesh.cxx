@@ -3,10 +3,9 @@
 
 #include "BitingRemesh.h"
 
-#include "Base/MostVertices.h"
-#include "Base/PartOfStage.h"
+#include "Base/Ids.h"
+#include "Base/Monitor.h"
 #include "Base/Pulse.h"
-#include "Base/StagesOnce.h"
 #include "Biting/BitingScheme.h"
 #include "Domain/DomainLocator.h"
 #include "Domain/Polylines.h"
@@ -18,9 +17,8 @@
 #include "Remeshing/RemeshRegion.h"
 #include "Remeshing/Stitching.h"
 #include "Simplification/Simplification.h" // for areas that changed
-#include "Stages/RelaxedBites.h"
+#include "Stages/MeshedBites.h"
 #include "Stages/SegmentCover.h"
-#include "Stages/SoundTriangulation.h"
 #include "Stages/StageProblems.h"
 
 #include <algorithm> // for min

@@ -15,12 +15,10 @@ set(biting_kernel_sources
   Spacing/JumpsOutside.cxx
   Spacing/SegmentCone.cxx
   Spacing/Source.cxx
-  Spacing/SourceCheck.cxx
   Spacing/Spacing.cxx
   Spacing/TriangleBuckets.cxx
   Spacing/TriangleInterpolator.cxx
   Hessian/HessianRecovery.cxx
-  Domain/AreaSum.cxx
   Domain/Arrangement.cxx
   Domain/ArrangementResolution.cxx
   Domain/BoundaryComponents.cxx
@@ -35,34 +33,28 @@ set(biting_kernel_sources
   Domain/OpenOutlines.cxx
   Domain/PeriodicSides.cxx
   Domain/PointWelding.cxx
-  Domain/RuleBoundary.cxx
   Domain/SegmentTree.cxx
   Domain/SegmentWalk.cxx
-  Domain/SlantedBox.cxx
   Domain/VertexGrid.cxx
   Domain/VertexStars.cxx
   Domain/Welding.cxx
   Domain/DomainLocator.cxx
-  Domain/FaceEdge.cxx
   Simplification/ChainCorners.cxx
   Simplification/ChainReduction.cxx
-  Simplification/CornerGuard.cxx
   Simplification/DomainChains.cxx
   Simplification/Simplification.cxx
   Simplification/SmallLoops.cxx
   Biting/Bisectors.cxx
-  Biting/BiteFrame.cxx
   Biting/BiteGrid.cxx
   Biting/BiteLists.cxx
   Biting/BiteOutline.cxx
   Biting/BitingScheme.cxx
   Biting/BitingState.cxx
-  Biting/CandidateQueue.cxx
+  Biting/FrontOrder.cxx
   Biting/EdgeDivision.cxx
-  Biting/EdgeProtection.cxx
+  Biting/BoundaryProtection.cxx
   Biting/EdgeSamples.cxx
   Biting/FrontTrace.cxx
-  Biting/FrontVertices.cxx
   Biting/InteriorBiting.cxx
   Biting/Orientation.cxx
   Biting/LeftOvers.cxx
@@ -71,7 +63,6 @@ set(biting_kernel_sources
   Biting/SharpCorners.cxx
   Biting/Spokes.cxx
   Biting/VertexEstimate.cxx
-  Biting/VertexProtection.cxx
   Delaunay/SpatialOrder.cxx
   Delaunay/Flips.cxx
   Delaunay/Insertion.cxx
@@ -90,7 +81,6 @@ set(biting_kernel_sources
   Relaxation/DividedSegments.cxx
   Relaxation/EdgeOperations.cxx
   Relaxation/HeldVertices.cxx
-  Relaxation/LongEdges.cxx
   Relaxation/MeshExchange.cxx
   Relaxation/MutableMesh.cxx
   Relaxation/Relaxation.cxx
@@ -111,20 +101,16 @@ set(biting_kernel_sources
   Stages/GivenTriangles.cxx
   Stages/MeshAssembly.cxx
   Stages/NearMisses.cxx
-  Stages/OpenedInterfaces.cxx
   Stages/PeriodicDivision.cxx
-  Stages/PreparedDomain.cxx
-  Stages/PreparedSpacing.cxx
-  Stages/PreservedSpacing.cxx
-  Stages/RelaxedBites.cxx
+  Stages/PreparedInput.cxx
+  Stages/MeshedBites.cxx
   Stages/SegmentCover.cxx
   Stages/SharpSectors.cxx
-  Stages/SoundTriangulation.cxx
   Remeshing/ChangedRegion.cxx
   Remeshing/EdgeSimplification.cxx
   Remeshing/FaceRegions.cxx
   Remeshing/FlatTriangles.cxx
-  Remeshing/GradedValues.cxx
+  Remeshing/RemeshRegion.cxx
   Remeshing/HangingVertices.cxx
   Remeshing/KeptVertices.cxx
   Remeshing/OldMesh.cxx
@@ -132,13 +118,10 @@ set(biting_kernel_sources
   Remeshing/OldPlaces.cxx
   Remeshing/RegionEdges.cxx
   Remeshing/ReleasedVertices.cxx
-  Remeshing/RemeshRegion.cxx
   Remeshing/Stitching.cxx
-  Remeshing/WantedSpacing.cxx
   Blocks/BlockCollar.cxx
   Blocks/BlockDomains.cxx
   Blocks/BlockMesher.cxx
-  Blocks/CutDivision.cxx
   Blocks/CutFrame.cxx
   Blocks/CutLine.cxx
   Blocks/CutPlan.cxx
@@ -156,7 +139,6 @@ set(biting_kernel_sources
   Pieces/PieceDealer.cxx
   Pieces/PieceMeasures.cxx
   Pieces/PieceUnion.cxx
-  Pieces/SpreadMesh.cxx
   Space/Features/FeatureLines.cxx
   Space/Features/GroundPatches.cxx
   Space/Features/SizeCaps.cxx

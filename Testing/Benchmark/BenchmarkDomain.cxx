@@ -164,7 +164,8 @@ void DomainLocatorOfComb(benchmark::State& state)
   for (auto step : state)
   {
     static_cast<void>(step);
-    const DomainLocator locator(domain);
+    Pulse unheard(NoMonitor());
+    const DomainLocator locator(domain, unheard);
     benchmark::DoNotOptimize(locator.IsInside({ 0.5, 0.25 }));
   }
   Report(state, domain.NumberOfSegments());
@@ -177,7 +178,8 @@ BENCHMARK(DomainLocatorOfComb)
 void DomainLocatorQueries(benchmark::State& state)
 {
   const Domain domain = DomainOf(Coast(static_cast<Id>(state.range(0))));
-  const DomainLocator locator(domain);
+  Pulse unheard(NoMonitor());
+  const DomainLocator locator(domain, unheard);
   const std::vector<Point2> points = RandomPoints(NumberOfQueries);
   for (auto step : state)
   {

@@ -67,7 +67,8 @@ void Bite(benchmark::State& state, const Polylines& input, const SpacingOptions&
   for (auto step : state)
   {
     static_cast<void>(step);
-    const DomainLocator locator(domain);
+    Pulse unheard(NoMonitor());
+    const DomainLocator locator(domain, unheard);
     const double density = IntegrateDensity(domain, locator, spacing);
     const double estimate = EstimateNumberOfVertices(density);
     vertices = BiteDomain(domain, locator, spacing, estimate, biting, monitor).Points.size();
@@ -175,7 +176,8 @@ BENCHMARK(DelaunayHatches)->RangeMultiplier(10)->Range(1000, 100000)->Unit(bench
 RelaxationMesh BittenMesh(const Domain& domain, const Spacing& spacing)
 {
   SilentMonitor monitor;
-  const DomainLocator locator(domain);
+  Pulse unheard(NoMonitor());
+  const DomainLocator locator(domain, unheard);
   const double density = IntegrateDensity(domain, locator, spacing);
   BitingResult bites = BiteDomain(
     domain, locator, spacing, EstimateNumberOfVertices(density), BitingOptions(), monitor);

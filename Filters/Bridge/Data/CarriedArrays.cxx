@@ -89,7 +89,7 @@ void SetMixed(vtkAbstractArray* to, vtkIdType tuple, const TupleMix& mix, vtkAbs
   {
     const auto* begin = mix.Weights.begin();
     const auto nearest = std::max_element(begin, begin + mix.Size) - begin;
-    to->SetTuple(tuple, mix.Tuples[static_cast<std::size_t>(nearest)], from);
+    to->SetTuple(tuple, mix.Tuples[nearest], from);
     return;
   }
   auto* given = static_cast<vtkDataArray*>(from);

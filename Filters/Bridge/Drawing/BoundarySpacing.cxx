@@ -26,18 +26,17 @@ namespace
 void AddSegments(const Polylines& chains, Id chain, const std::vector<Id>& newIds,
   std::vector<Id>& segments, Pulse& pulse)
 {
-  const auto first = static_cast<std::size_t>(chains.Offsets[static_cast<std::size_t>(chain)]);
+  const auto first = static_cast<std::size_t>(chains.Offsets[chain]);
   const auto end = static_cast<std::size_t>(chains.Offsets[static_cast<std::size_t>(chain) + 1]);
-  const bool isPoints =
-    chains.Kinds[static_cast<std::size_t>(chain)] == ChainKind::EmbeddedPoint || end - first == 1;
+  const bool isPoints = chains.Kinds[chain] == ChainKind::EmbeddedPoint || end - first == 1;
   const std::size_t step = isPoints ? 0 : 1;
   for (std::size_t k = first; k + step < end && pulse.Beat(); ++k)
   {
-    const Id start = newIds[static_cast<std::size_t>(chains.Connectivity[k])];
+    const Id start = newIds[chains.Connectivity[k]];
     if (start != NoId)
     {
       segments.push_back(start);
-      segments.push_back(newIds[static_cast<std::size_t>(chains.Connectivity[k + step])]);
+      segments.push_back(newIds[chains.Connectivity[k + step]]);
     }
   }
 }
@@ -51,7 +50,7 @@ std::vector<vtkIdType> PointsWith(
   std::vector<vtkIdType> points;
   for (const Id point : input.UsedPoints)
   {
-    if (isGiven.empty() || isGiven[static_cast<std::size_t>(point)])
+    if (isGiven.empty() || isGiven[point])
     {
       points.push_back(point);
     }
@@ -65,12 +64,12 @@ void AddDivisions(const PlanarInput& input, std::vector<Id>& newIds, SegmentSour
   auto point = input.Chains.Points.size() - input.Divisions.size();
   for (const PlanarInput::Division& division : input.Divisions)
   {
-    const Id start = newIds[static_cast<std::size_t>(division.Start)];
-    const Id end = newIds[static_cast<std::size_t>(division.End)];
+    const Id start = newIds[division.Start];
+    const Id end = newIds[division.End];
     if (start != NoId && end != NoId)
     {
-      const double low = source.Values[static_cast<std::size_t>(start)];
-      const double high = source.Values[static_cast<std::size_t>(end)];
+      const double low = source.Values[start];
+      const double high = source.Values[end];
       newIds[point] = static_cast<Id>(source.Points.size());
       source.Points.push_back(input.Chains.Points[point]);
       source.Values.push_back(low + division.Share * (high - low));
@@ -137,11 +136,7 @@ constexpr double MostLinesOfFineFaces = 1 << 22;
 void AddHatching(const std::vector<Point2>& outline, double value, double step, double& fineLines,
   SegmentSource& source, Pulse& pulse)
 {
-  Box2 box;
-  for (const Point2& point : outline)
-  {
-    box.Add(point);
-  }
+  const Box2 box = Box2::Around(outline);
   const bool isAlongX = box.Width() >= box.Height();
   const auto turned = [isAlongX](const Point2& p) { return isAlongX ? p : Point2{ p.Y, p.X }; };
   const double low = turned(box.Low).Y;
@@ -202,8 +197,7 @@ void AddChain(const Polylines& chains, std::size_t chain, bool hasArea, double v
   std::vector<Point2> places;
   for (Id k = chains.Offsets[chain]; k < chains.Offsets[chain + 1]; ++k)
   {
-    const auto point = static_cast<std::size_t>(chains.Connectivity[static_cast<std::size_t>(k)]);
-    places.push_back(chains.Points[point]);
+    places.push_back(chains.Points[chains.Connectivity[k]]);
   }
   const bool arePoints = chains.Kinds[chain] == ChainKind::EmbeddedPoint || places.size() == 1;
   for (std::size_t k = arePoints ? 0 : 1; k < places.size() && pulse.Beat(); ++k)

@@ -92,7 +92,7 @@ std::vector<std::uint8_t> FindFaces(const Drawing& drawing, const Polylines& cha
   std::vector<std::uint8_t> isFace(static_cast<std::size_t>(drawing.NumberOfCells), 0);
   for (std::size_t chain = 0; chain < chains.Cells.size(); ++chain)
   {
-    isFace[static_cast<std::size_t>(chains.Cells[chain])] = chains.Kinds[chain] == ChainKind::Face;
+    isFace[chains.Cells[chain]] = chains.Kinds[chain] == ChainKind::Face;
   }
   return isFace;
 }
@@ -198,7 +198,7 @@ void AddRegionValues(
   own->SetNumberOfTuples(static_cast<vtkIdType>(regions.size()));
   for (std::size_t cell = 0; cell < regions.size(); ++cell)
   {
-    const vtkIdType place = values.Places[static_cast<std::size_t>(regions[cell])];
+    const vtkIdType place = values.Places[regions[cell]];
     const auto at = static_cast<vtkIdType>(cell);
     values.IsPairs ? own->SetVariantValue(at, values.Array->GetVariantValue(place))
                    : own->SetTuple(at, place, values.Array);
@@ -244,8 +244,7 @@ std::function<bool(Id, Id)> CompareTags(const Drawing& drawing, const Polylines&
   }
   return [tags, isFace = FindFaces(drawing, chains)](Id first, Id second)
   {
-    const bool areFaces =
-      isFace[static_cast<std::size_t>(first)] && isFace[static_cast<std::size_t>(second)];
+    const bool areFaces = isFace[first] && isFace[second];
     return areFaces ||
       std::all_of(tags.begin(), tags.end(),
         [first, second](vtkAbstractArray* tag) { return AreEqual(tag, first, second); });

@@ -29,19 +29,14 @@ namespace
 class BlockCollector
 {
 public:
-  explicit BlockCollector(Drawing& drawing)
-    : Result(drawing)
-  {
-  }
-
   void Visit(vtkDataObject* object, const std::string& name);
+
+  Drawing& Result;
 
 private:
   void VisitTree(vtkDataObjectTree* tree, const std::string& name);
   void VisitLeaves(vtkCompositeDataSet* composite, const std::string& name);
   void Add(vtkDataSet* data, const std::string& name);
-
-  Drawing& Result;
 };
 
 void BlockCollector::Visit(vtkDataObject* object, const std::string& name)
@@ -191,7 +186,7 @@ int Drawing::CoordinateType() const
 Drawing ReadDrawing(vtkDataObject* input)
 {
   Drawing drawing;
-  BlockCollector(drawing).Visit(input, "");
+  BlockCollector{ drawing }.Visit(input, "");
   if (auto* data = vtkDataSet::SafeDownCast(input))
   {
     drawing.Points = data;

@@ -90,7 +90,7 @@ std::vector<Id> NumberVertices(vtkIdType numberOfPoints, PlanarFaces& faces)
   std::vector<Id> numbers(static_cast<std::size_t>(numberOfPoints), NoId);
   for (const Id corner : faces.Corners)
   {
-    numbers[static_cast<std::size_t>(corner)] = 0;
+    numbers[corner] = 0;
   }
   std::vector<Id> used;
   for (std::size_t point = 0; point < numbers.size(); ++point)
@@ -103,7 +103,7 @@ std::vector<Id> NumberVertices(vtkIdType numberOfPoints, PlanarFaces& faces)
   }
   for (Id& corner : faces.Corners)
   {
-    corner = numbers[static_cast<std::size_t>(corner)];
+    corner = numbers[corner];
   }
   faces.PointIds.assign(used.begin(), used.end());
   return used;
@@ -131,8 +131,8 @@ std::vector<Id> SidesOf(const PlanarFaces& faces)
   ends.reserve(2 * faces.Corners.size());
   const auto add = [&faces, &ends](Id corner)
   {
-    const Id vertex = faces.Corners[static_cast<std::size_t>(corner)];
-    ends.push_back(static_cast<Id>(faces.PointIds[static_cast<std::size_t>(vertex)]));
+    const Id vertex = faces.Corners[corner];
+    ends.push_back(static_cast<Id>(faces.PointIds[vertex]));
   };
   for (std::size_t face = 0; face < faces.CellIds.size(); ++face)
   {
@@ -206,7 +206,7 @@ void OrderVertices(PlanarFaces& faces)
   }
   for (Id& corner : faces.Corners)
   {
-    corner = numbers[static_cast<std::size_t>(corner)];
+    corner = numbers[corner];
   }
 }
 

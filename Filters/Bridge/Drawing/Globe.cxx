@@ -169,14 +169,13 @@ void LineDivider::Run()
     const bool arePoints = chains.Kinds[chain] == ChainKind::EmbeddedPoint;
     for (Id k = chains.Offsets[chain]; k < chains.Offsets[chain + 1] && this->Beats.Beat(); ++k)
     {
-      const auto at = static_cast<std::size_t>(k);
       if (k > chains.Offsets[chain] && !arePoints)
       {
         const std::vector<Id>& added =
-          this->Between(chains.Connectivity[at - 1], chains.Connectivity[at]);
+          this->Between(chains.Connectivity[k - 1], chains.Connectivity[k]);
         connectivity.insert(connectivity.end(), added.begin(), added.end());
       }
-      connectivity.push_back(chains.Connectivity[at]);
+      connectivity.push_back(chains.Connectivity[k]);
     }
     offsets.push_back(static_cast<Id>(connectivity.size()));
   }
@@ -265,11 +264,8 @@ double LineDivider::SpacingAt(const Point2& place)
 {
   if (!this->F)
   {
-    Box2 bounds;
-    for (const Id point : this->Input.Chains.Connectivity)
-    {
-      bounds.Add(this->Input.Chains.Points[static_cast<std::size_t>(point)]);
-    }
+    const Polylines& chains = this->Input.Chains;
+    const Box2 bounds = Box2::Around(chains.Points, chains.Connectivity);
     ProblemList problems;
     this->F.emplace(MakeSpacing(*this->Options, bounds, problems, this->Listener));
     this->Least = problems.HasErrors() ? Infinity : this->Least;

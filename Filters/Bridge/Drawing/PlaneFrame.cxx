@@ -115,7 +115,7 @@ Point3 AnyNormalTo(const Point3& direction)
   const auto least = std::min_element(direction.begin(), direction.end(),
     [](double a, double b) { return std::abs(a) < std::abs(b); });
   Point3 axis{ 0.0, 0.0, 0.0 };
-  axis[static_cast<std::size_t>(least - direction.begin())] = 1.0;
+  axis[least - direction.begin()] = 1.0;
   return Unit(Cross(direction, axis));
 }
 
@@ -314,9 +314,9 @@ Point3 PlaneFrame::ToSpace(const Point2& p) const
   if (this->IsAligned)
   {
     Point3 place{};
-    place[static_cast<std::size_t>(this->Axes[0])] = p.X;
-    place[static_cast<std::size_t>(this->Axes[1])] = p.Y;
-    place[static_cast<std::size_t>(this->Axes[2])] = this->Level;
+    place[this->Axes[0]] = p.X;
+    place[this->Axes[1]] = p.Y;
+    place[this->Axes[2]] = this->Level;
     return place;
   }
   return this->Origin + (p.X * this->First + p.Y * this->Second);

@@ -192,7 +192,7 @@ std::string BlockReader::AddChain(
   for (const vtkIdType point : points)
   {
     add(point);
-    this->IsUsed[static_cast<std::size_t>(this->Block.FirstPoint + point)] = 1;
+    this->IsUsed[this->Block.FirstPoint + point] = 1;
   }
   if (isClosed && kind != ChainKind::EmbeddedPoint && points.front() != points.back())
   {
@@ -203,7 +203,7 @@ std::string BlockReader::AddChain(
   this->Chains.Cells.push_back(static_cast<Id>(this->CellId()));
   if (!this->Regions.empty())
   {
-    this->Chains.Regions.push_back(this->Regions[static_cast<std::size_t>(this->CellId())]);
+    this->Chains.Regions.push_back(this->Regions[this->CellId()]);
   }
   return {};
 }
@@ -289,8 +289,7 @@ void MapToPlane(PlanarInput& input, Pulse& pulse)
     [&input](std::size_t k)
     {
       const Id point = input.UsedPoints[k];
-      input.Chains.Points[static_cast<std::size_t>(point)] =
-        input.Frame.ToPlane(input.Place(point));
+      input.Chains.Points[point] = input.Frame.ToPlane(input.Place(point));
     });
 }
 
@@ -304,8 +303,7 @@ std::vector<Id> LinesOf(const Polylines& chains)
     const bool arePoints = chains.Kinds[chain] == ChainKind::EmbeddedPoint;
     for (Id k = chains.Offsets[chain] + 1; k < chains.Offsets[chain + 1] && !arePoints; ++k)
     {
-      const auto at = static_cast<std::size_t>(k);
-      ends.insert(ends.end(), { chains.Connectivity[at - 1], chains.Connectivity[at] });
+      ends.insert(ends.end(), { chains.Connectivity[k - 1], chains.Connectivity[k] });
     }
   }
   return ends;
@@ -317,7 +315,7 @@ double RoundingOnGlobe(const CoordinateRounding& rounding, const PlanarInput& in
   double stretch = 1.0;
   for (const Id point : input.UsedPoints)
   {
-    const Point2& place = input.Chains.Points[static_cast<std::size_t>(point)];
+    const Point2& place = input.Chains.Points[point];
     stretch = std::max(stretch, input.Frame.StretchAt(place));
   }
   return stretch * MetresPerDegree * std::max(rounding.Axes[0], rounding.Axes[1]);
@@ -326,8 +324,7 @@ double RoundingOnGlobe(const CoordinateRounding& rounding, const PlanarInput& in
 // Along the axes of the plane; in a slanted plane they mix those of space.
 Point2 InPlane(const CoordinateRounding& rounding, const PlaneFrame& frame)
 {
-  const auto along = [&rounding, &frame](int axis)
-  { return rounding.Axes[static_cast<std::size_t>(frame.Axis(axis))]; };
+  const auto along = [&rounding, &frame](int axis) { return rounding.Axes[frame.Axis(axis)]; };
   const double most = *std::max_element(rounding.Axes.begin(), rounding.Axes.end());
   return frame.IsAxisAligned() ? Point2{ along(0), along(1) } : Point2{ most, most };
 }
@@ -337,8 +334,7 @@ double Diagonal(const PlanarInput& input, Pulse& pulse)
   const PulsePart part(pulse, MapEnd, MapEnd);
   Box2 box;
   pulse.ForEach(input.UsedPoints.size(),
-    [&input, &box](std::size_t k)
-    { box.Add(input.Chains.Points[static_cast<std::size_t>(input.UsedPoints[k])]); });
+    [&input, &box](std::size_t k) { box.Add(input.Chains.Points[input.UsedPoints[k]]); });
   return box.Diagonal();
 }
 
@@ -375,9 +371,8 @@ void RefuseNotPlanar(const PlanarInput& input, double farthest, ProblemList& pro
     {
       return;
     }
-    problems.Add(
-      { ProblemCode::NotPlanar, { point }, input.Chains.Points[static_cast<std::size_t>(point)],
-        "it lies " + vtkVariant(distance).ToString() + " from the plane" });
+    problems.Add({ ProblemCode::NotPlanar, { point }, input.Chains.Points[point],
+      "it lies " + vtkVariant(distance).ToString() + " from the plane" });
   }
 }
 

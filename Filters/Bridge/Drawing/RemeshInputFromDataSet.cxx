@@ -3,6 +3,7 @@
 
 #include "RemeshInputFromDataSet.h"
 
+#include "../../Kernel/Base/Directory.h"
 #include "../../Kernel/Base/Pulse.h"
 #include "../Data/Arrays.h"
 #include "../Data/Cells.h"
@@ -19,8 +20,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <algorithm> // for sort, lower_bound
-#include <utility>   // for pairs
+#include <algorithm> // for equal
+#include <utility>   // for move
 
 namespace biting
 {
@@ -105,35 +106,28 @@ std::string NumberRegions(
   const std::string refusal = FindRegionNumbers(ReadDrawing(mesh), name, numbers, pulse);
   for (std::size_t k = 0; refusal.empty() && !pulse.HasStopped() && k < result.CellIds.size(); ++k)
   {
-    result.Input.Regions.push_back(numbers[static_cast<std::size_t>(result.CellIds[k])]);
+    result.Input.Regions.push_back(numbers[result.CellIds[k]]);
   }
   return refusal;
 }
 
-/// Finds vertices by their places in space.
-class VertexFinder
+Point3 PointAt(const double* place)
 {
-public:
-  explicit VertexFinder(const PlanarMesh& mesh)
-  {
-    for (std::size_t vertex = 0; vertex < mesh.PointIds.size(); ++vertex)
-    {
-      const double* place = mesh.Planar.Place(static_cast<Id>(mesh.PointIds[vertex]));
-      this->Places.push_back({ { place[0], place[1], place[2] }, static_cast<Id>(vertex) });
-    }
-    std::sort(this->Places.begin(), this->Places.end());
-  }
+  return { place[0], place[1], place[2] };
+}
 
-  Id Find(const double* place) const
+// Vertices by their places in space.
+Directory<Point3> VerticesByPlace(const PlanarMesh& mesh)
+{
+  Directory<Point3> vertices;
+  for (std::size_t vertex = 0; vertex < mesh.PointIds.size(); ++vertex)
   {
-    const std::pair<Point3, Id> wanted{ { place[0], place[1], place[2] }, NoId };
-    const auto found = std::lower_bound(this->Places.begin(), this->Places.end(), wanted);
-    return found != this->Places.end() && found->first == wanted.first ? found->second : NoId;
+    const double* place = mesh.Planar.Place(static_cast<Id>(mesh.PointIds[vertex]));
+    vertices.Add(PointAt(place), static_cast<Id>(vertex));
   }
-
-private:
-  std::vector<std::pair<Point3, Id>> Places;
-};
+  vertices.Sort();
+  return vertices;
+}
 
 // Asking poly data for a cell would build something in it.
 vtkSmartPointer<vtkDataSet> CopyOf(vtkDataSet* data)
@@ -147,7 +141,7 @@ vtkSmartPointer<vtkDataSet> CopyOf(vtkDataSet* data)
 std::string ReadLines(vtkDataSet* given, const std::string& frozen, PlanarMesh& result)
 {
   const vtkSmartPointer<vtkDataSet> data = CopyOf(given);
-  const VertexFinder finder(result);
+  const Directory<Point3> vertices = VerticesByPlace(result);
   const auto coordinates = CoordinatesOf(data);
   RemeshInput& input = result.Input;
   vtkDataArray* isFrozen = IsNone(frozen) ? nullptr : data->GetCellData()->GetArray(frozen.c_str());
@@ -169,8 +163,8 @@ std::string ReadLines(vtkDataSet* given, const std::string& frozen, PlanarMesh& 
     PointsAlong(data->GetCellType(cell), points->GetNumberOfIds(), points->GetPointer(0), along);
     for (std::size_t k = 1; k < along.size(); ++k)
     {
-      const Id start = finder.Find(coordinates->GetPointer(3 * along[k - 1]));
-      const Id end = finder.Find(coordinates->GetPointer(3 * along[k]));
+      const Id start = vertices[PointAt(coordinates->GetPointer(3 * along[k - 1]))];
+      const Id end = vertices[PointAt(coordinates->GetPointer(3 * along[k]))];
       if (start != NoId && end != NoId && start != end)
       {
         input.LineStarts.push_back(start);

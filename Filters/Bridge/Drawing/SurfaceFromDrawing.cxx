@@ -50,7 +50,7 @@ private:
   void Add(std::size_t a, std::size_t b, std::size_t c);
   const Point3& At(std::size_t k) const
   {
-    return this->Mesh.Points[static_cast<std::size_t>(this->FirstPoint + this->Outline[k])];
+    return this->Mesh.Points[this->FirstPoint + this->Outline[k]];
   }
 
   SurfaceMesh& Mesh;
@@ -257,7 +257,7 @@ std::string SurfaceFromDrawing(const Drawing& drawing, GivenSurface& surface, Mo
   std::vector<std::uint8_t> isUsed(surface.Mesh.Points.size(), 0);
   for (const Id corner : surface.Mesh.Corners)
   {
-    isUsed[static_cast<std::size_t>(corner)] = 1;
+    isUsed[corner] = 1;
   }
   for (std::size_t point = 0; point < isUsed.size(); ++point)
   {

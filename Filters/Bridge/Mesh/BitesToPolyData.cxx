@@ -122,20 +122,18 @@ void DrawBites(const Bites& bites, Outlines& outlines, Pulse& pulse)
   for (Id first = 0; first < bites.Size() && pulse.Beat(); first = end)
   {
     pulse.SetFraction(static_cast<double>(first) / bites.Size());
-    const auto bite = static_cast<std::size_t>(first);
     do
     {
       ++end;
-    } while (
-      end < bites.Size() && bites.Orders[static_cast<std::size_t>(end)] == bites.Orders[bite]);
+    } while (end < bites.Size() && bites.Orders[end] == bites.Orders[first]);
     for (const Point2& corner : OutlineOfBite(bites, first, end))
     {
       outlines.PolygonPoints.push_back(static_cast<Id>(outlines.Points.size()));
       outlines.Points.push_back(corner);
     }
     outlines.PolygonOffsets.push_back(static_cast<Id>(outlines.PolygonPoints.size()));
-    outlines.Orders.push_back(bites.Orders[bite]);
-    outlines.Phases.push_back(bites.Phases[bite]);
+    outlines.Orders.push_back(bites.Orders[first]);
+    outlines.Phases.push_back(bites.Phases[first]);
   }
 }
 
@@ -207,8 +205,7 @@ std::vector<Point2> OutlineOfBite(const Bites& bites, Id first, Id end)
 {
   if (bites.IsCircle(first))
   {
-    return PolygonOfCircle(bites.Centers[static_cast<std::size_t>(first)],
-      bites.HalfWidths[static_cast<std::size_t>(first)]);
+    return PolygonOfCircle(bites.Centers[first], bites.HalfWidths[first]);
   }
   const auto begin = static_cast<std::size_t>(first);
   const auto stop = static_cast<std::size_t>(end);

@@ -4,7 +4,6 @@
 #include "BitingBodyToGrid.h"
 
 #include "../Data/ArrayFromVector.h"
-#include "BitingSurfaceToPolyData.h"
 #include "MeasuredTetrahedra.h"
 #include "SurfaceToPolyData.h"
 
@@ -33,7 +32,7 @@ void BoundaryToPolyData(BitingBody& body, const CheckedSurface& surface, const D
 {
   BitingSurface& boundary = body.Boundary;
   std::transform(body.BoundaryCells.begin(), body.BoundaryCells.end(), boundary.Regions.begin(),
-    [&body](Id cell) { return body.Regions[static_cast<std::size_t>(cell)]; });
+    [&body](Id cell) { return body.Regions[cell]; });
   BitingSurfaceToPolyData(boundary, surface, drawing, output, pulse);
   std::vector<Id> numbers(boundary.Points.size());
   std::iota(numbers.begin(), numbers.end(), 0);
@@ -55,7 +54,7 @@ double WholeVolume(const BitingBody& body)
   for (std::size_t corner = 0; corner < body.Corners.size(); corner += 4)
   {
     const auto at = [&body, corner](std::size_t k) -> const Point3&
-    { return body.Points[static_cast<std::size_t>(body.Corners[corner + k])]; };
+    { return body.Points[body.Corners[corner + k]]; };
     volume += VolumeOf({ at(0), at(1), at(2), at(3) });
   }
   return volume;

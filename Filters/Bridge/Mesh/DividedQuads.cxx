@@ -45,7 +45,7 @@ QuadDiagonal DiagonalOf(vtkDataSet* data, vtkIdList* points)
     {
       return QuadDiagonal::None;
     }
-    data->GetPoint(point, places[static_cast<std::size_t>(k)].data());
+    data->GetPoint(point, places[k].data());
   }
   return FindQuadDiagonal(places);
 }
@@ -161,7 +161,7 @@ void DividedQuads::RestoreIds(vtkDataSet* output) const
     const auto cell = static_cast<vtkIdType>(ids->GetComponent(k, 0));
     if (cell >= 0)
     {
-      ids->SetComponent(k, 0, static_cast<double>(this->Cells[static_cast<std::size_t>(cell)]));
+      ids->SetComponent(k, 0, static_cast<double>(this->Cells[cell]));
     }
   }
 }

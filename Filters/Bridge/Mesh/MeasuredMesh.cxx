@@ -31,19 +31,6 @@ constexpr double HighestAngle = 180.0;
 constexpr double HighestConformity = 1.0;
 constexpr double HighestRelativeLength = 3.0;
 
-// `values` of the things with these ids, as one value for each of `size` things; NaN for the
-// others.
-std::vector<double> Spread(
-  const std::vector<double>& values, const std::vector<vtkIdType>& ids, vtkIdType size)
-{
-  std::vector<double> all(static_cast<std::size_t>(size), std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t k = 0; k < ids.size(); ++k)
-  {
-    all[static_cast<std::size_t>(ids[k])] = values[k];
-  }
-  return all;
-}
-
 /// Nothing where there are none.
 void AddWarning(const char* what, const std::vector<Id>& triangles, const char* advice,
   const PlanarFaces& faces, std::vector<std::string>& warnings)
@@ -56,9 +43,8 @@ void AddWarning(const char* what, const std::vector<Id>& triangles, const char* 
   for (std::size_t k = 0; k < std::min(triangles.size(), ShownIds); ++k)
   {
     const auto triangle = static_cast<std::size_t>(triangles[k]);
-    const auto corner = static_cast<std::size_t>(faces.Corners[3 * triangle]);
     first.push_back("cell " + std::to_string(faces.CellIds[triangle]) + " at " +
-      PlaceText(faces.Frame.ToSpace(faces.Points[corner])));
+      PlaceText(faces.Frame.ToSpace(faces.Points[faces.Corners[3 * triangle]])));
   }
   const auto count = static_cast<std::int64_t>(triangles.size());
   warnings.push_back(std::string(what) + " (" + std::to_string(count) +
@@ -66,6 +52,17 @@ void AddWarning(const char* what, const std::vector<Id>& triangles, const char* 
 }
 
 } // namespace
+
+std::vector<double> Spread(
+  const std::vector<double>& values, const std::vector<vtkIdType>& ids, vtkIdType size)
+{
+  std::vector<double> all(static_cast<std::size_t>(size), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < ids.size(); ++k)
+  {
+    all[ids[k]] = values[k];
+  }
+  return all;
+}
 
 void AddHistogram(const std::vector<double>& values, double highest, int bins,
   const std::string& name, vtkTable* table)
@@ -125,7 +122,7 @@ std::vector<std::string> WarningsOfTriangles(const PlanarFaces& faces, const Tri
   for (std::size_t slot = 0; slot < faces.Corners.size(); slot += 3)
   {
     const auto place = [&faces, slot](std::size_t corner) -> const Point2&
-    { return faces.Points[static_cast<std::size_t>(faces.Corners[slot + corner])]; };
+    { return faces.Points[faces.Corners[slot + corner]]; };
     const int sign = Orient2D(place(0), place(1), place(2));
     (sign == 0 ? flat : turned[sign > 0 ? 1 : 0]).push_back(static_cast<Id>(slot / 3));
   }

@@ -45,6 +45,11 @@ struct MeasuredMesh
 /// NaN at points and cells that are not of the mesh.
 void WriteMeasures(const MeasuredMesh& mesh, vtkDataSet* input, vtkDataSet* output);
 
+/// `values` of the things with these ids, as one value for each of `size` things; NaN for the
+/// others.
+std::vector<double> Spread(
+  const std::vector<double>& values, const std::vector<vtkIdType>& ids, vtkIdType size);
+
 /// Adds the histogram of `values` from 0 to `highest` as two columns.
 void AddHistogram(const std::vector<double>& values, double highest, int bins,
   const std::string& name, vtkTable* table);

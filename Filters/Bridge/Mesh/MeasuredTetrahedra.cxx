@@ -86,10 +86,9 @@ std::string MeasuredTetrahedra::Read(vtkDataSet* data, vtkDataArray* spacing, Mo
     this->Cells.push_back(cell);
     for (const vtkIdType corner : *corners)
     {
-      const auto vertex = static_cast<std::size_t>(corner);
-      const bool isPlace = AreFinite(this->Points[vertex].Data());
+      const bool isPlace = AreFinite(this->Points[corner].Data());
       const bool isSize = this->Spacing.empty() ||
-        (std::isfinite(this->Spacing[vertex]) && this->Spacing[vertex] > 0.0);
+        (std::isfinite(this->Spacing[corner]) && this->Spacing[corner] > 0.0);
       if (!isPlace || !isSize)
       {
         return std::string(isPlace ? "The spacing is not positive and finite"
@@ -107,15 +106,9 @@ void MeasuredTetrahedra::Write(vtkDataSet* output)
   TetQuality& quality = this->Quality;
   const auto addOfCells = [this, output](const char* name, std::vector<double>& values)
   {
-    const auto numberOfCells = static_cast<std::size_t>(output->GetNumberOfCells());
-    if (values.size() != numberOfCells)
+    if (static_cast<vtkIdType>(values.size()) != output->GetNumberOfCells())
     {
-      std::vector<double> all(numberOfCells, Unmeasured);
-      for (std::size_t k = 0; k < this->Cells.size(); ++k)
-      {
-        all[static_cast<std::size_t>(this->Cells[k])] = values[k];
-      }
-      values.swap(all);
+      values = Spread(values, this->Cells, output->GetNumberOfCells());
     }
     AddArray<vtkDoubleArray>(output->GetCellData(), name, values);
     std::vector<double>().swap(values);

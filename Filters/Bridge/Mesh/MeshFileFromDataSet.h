@@ -73,10 +73,7 @@ public:
   const std::vector<vtkIdType>& Cells() const { return this->CellIds; }
 
   /// The number in the file of a point of the mesh; -1 where it is not written.
-  vtkIdType NumberOf(vtkIdType point) const
-  {
-    return this->Numbers[static_cast<std::size_t>(point)];
-  }
+  vtkIdType NumberOf(vtkIdType point) const { return this->Numbers[point]; }
 
 private:
   void ListCells(vtkDataSet* mesh);

@@ -116,8 +116,8 @@ EdgeVertices VerticesOfEdges(const BitingMesh& mesh, Pulse& pulse)
   pulse.ForEach(mesh.EdgeStarts.size(),
     [&mesh, &newIds](std::size_t edge)
     {
-      newIds[static_cast<std::size_t>(mesh.EdgeStarts[edge])] = 0;
-      newIds[static_cast<std::size_t>(mesh.EdgeEnds[edge])] = 0;
+      newIds[mesh.EdgeStarts[edge]] = 0;
+      newIds[mesh.EdgeEnds[edge]] = 0;
     });
   EdgeVertices vertices;
   pulse.ForEach(newIds.size(),
@@ -132,8 +132,8 @@ EdgeVertices VerticesOfEdges(const BitingMesh& mesh, Pulse& pulse)
   pulse.ForEach(mesh.EdgeStarts.size(),
     [&mesh, &newIds, &vertices](std::size_t edge)
     {
-      vertices.Connectivity.push_back(newIds[static_cast<std::size_t>(mesh.EdgeStarts[edge])]);
-      vertices.Connectivity.push_back(newIds[static_cast<std::size_t>(mesh.EdgeEnds[edge])]);
+      vertices.Connectivity.push_back(newIds[mesh.EdgeStarts[edge]]);
+      vertices.Connectivity.push_back(newIds[mesh.EdgeEnds[edge]]);
     });
   return vertices;
 }

@@ -35,15 +35,12 @@ bool IsTransferred(
 class Transfer
 {
 public:
-  Transfer(const RemeshResult& result, const PlanarMesh& mesh, Pulse& pulse)
-    : Result(result)
-    , Mesh(mesh)
-    , Beats(pulse)
-  {
-  }
-
   void CarryPoints(vtkDataSet* from, vtkPointData* to);
   void CarryCells(vtkDataSet* from, const std::string& region, vtkCellData* to);
+
+  const RemeshResult& Result;
+  const PlanarMesh& Mesh;
+  Pulse& Beats;
 
 private:
   std::vector<OldPlace> PlacesOfNewVertices() const;
@@ -54,10 +51,6 @@ private:
   {
     return this->Mesh.PointIds[this->Result.Old.Corners[3 * place.Triangle + corner]];
   }
-
-  const RemeshResult& Result;
-  const PlanarMesh& Mesh;
-  Pulse& Beats;
 };
 
 void Transfer::CarryPoints(vtkDataSet* from, vtkPointData* to)
@@ -108,7 +101,7 @@ void Transfer::Carry(
       TupleMix mix;
       for (int corner = 0; corner < 3; ++corner)
       {
-        mix.Add(this->PointAt(place, corner), place.Weights[static_cast<std::size_t>(corner)]);
+        mix.Add(this->PointAt(place, corner), place.Weights[corner]);
       }
       SetMixed(array, tuple, mix, given);
     }
@@ -162,7 +155,7 @@ std::vector<vtkIdType> Transfer::CellsAtMiddles() const
     // Beside a simplified interface a middle may lie in another region.
     if (this->Result.Old.Regions[cell] == mesh.Regions[triangle])
     {
-      cells[triangle] = this->Mesh.CellIds[static_cast<std::size_t>(cell)];
+      cells[triangle] = this->Mesh.CellIds[cell];
     }
     next += isNew;
   }
@@ -182,7 +175,7 @@ std::vector<vtkIdType> Transfer::CellsOfRegions() const
   std::vector<vtkIdType> cells;
   for (const Id region : this->Result.Mesh.Regions)
   {
-    cells.push_back(first[static_cast<std::size_t>(region)]);
+    cells.push_back(first[region]);
   }
   return cells;
 }
@@ -203,7 +196,7 @@ void TransferData(const RemeshResult& result, const PlanarMesh& mesh, vtkDataSet
   {
     output->GetCellData()->RemoveArray(region.c_str());
   }
-  Transfer transfer(result, mesh, pulse);
+  Transfer transfer{ result, mesh, pulse };
   transfer.CarryPoints(from, output->GetPointData());
   transfer.CarryCells(from, region, output->GetCellData());
 }
@@ -214,7 +207,7 @@ void AddOriginals(const RemeshResult& result, const PlanarMesh& mesh, vtkPolyDat
   std::int64_t keptTriangles = 0;
   for (const Id triangle : result.OriginalTriangles)
   {
-    cells.push_back(triangle == NoId ? -1 : mesh.CellIds[static_cast<std::size_t>(triangle)]);
+    cells.push_back(triangle == NoId ? -1 : mesh.CellIds[triangle]);
     keptTriangles += triangle != NoId;
   }
   const std::vector<Id>& points = result.Mesh.OriginalPoints;
@@ -237,7 +230,7 @@ void PassThrough(const PlanarMesh& mesh, vtkDataSet* from, vtkPolyData* output)
     std::vector<Id> corners;
     for (const Id corner : mesh.Input.Corners)
     {
-      corners.push_back(static_cast<Id>(mesh.PointIds[static_cast<std::size_t>(corner)]));
+      corners.push_back(static_cast<Id>(mesh.PointIds[corner]));
     }
     vtkNew<vtkCellArray> triangles;
     SetCells(triangles, 3, corners);

@@ -5,7 +5,10 @@
 #define BitingSurfaceToPolyData_h
 
 #include "../../Kernel/Base/Problem.h"
+#include "../../Kernel/Base/Pulse.h"
+#include "../../Kernel/Space/Meshing/SurfaceMesher.h"
 #include "../../Kernel/Space/Surface/SurfaceCheck.h"
+#include "../../vtkBitingCompat.h" // for the ABI namespace
 #include "../Drawing/Drawing.h"
 
 #include "vtkPoints.h"
@@ -39,6 +42,19 @@ void EdgesToPolyData(const std::vector<Point3>& places, const std::vector<Id>& g
 
 /// What it is in a few lines, and what is wrong with it.
 std::string SummaryOf(const CheckedSurface& surface, const ProblemList& problems);
+
+/// Fills `output` with the mesh, its measures and its figures, as the documentation of
+/// vtkBitingSurfaceMesher lists them, and with the cell arrays of `drawing`, of which `surface` was
+/// read. Returns the mesh in a few lines. On abort `output` has no meaning.
+std::string BitingSurfaceToPolyData(const BitingSurface& mesh, const CheckedSurface& surface,
+  const Drawing& drawing, vtkPolyData* output, Pulse& pulse);
+
+/// A line for the summary where caps of f made many times the vertices asked for; else empty.
+std::string CapsText(double asked, std::size_t made);
+
+/// Fills `output` with one vertex cell a bite.
+void SpheresToPolyData(
+  const std::vector<Point3>& centers, const std::vector<double>& radii, vtkPolyData* output);
 
 } // namespace biting
 

@@ -156,7 +156,7 @@ void RankCrew::ReceiveBytes(std::vector<char>& bytes, int rank)
 std::vector<char> RankCrew::Receive(int member, Monitor& monitor)
 {
   std::vector<char> bytes;
-  if (this->States.empty() || this->States[static_cast<std::size_t>(member)] != State::AtWork)
+  if (this->States.empty() || this->States[member] != State::AtWork)
   {
     return bytes;
   }
@@ -171,8 +171,7 @@ std::vector<char> RankCrew::Receive(int member, Monitor& monitor)
   vtkIdType length = 0;
   this->Controller->Receive(&length, 1, member, LengthTag);
   int isReady = HasRoom(length, bytes);
-  this->States[static_cast<std::size_t>(member)] =
-    length > 0 && isReady != 0 ? State::Waiting : State::Away;
+  this->States[member] = length > 0 && isReady != 0 ? State::Waiting : State::Away;
   this->Controller->Send(&isReady, 1, member, AnswerTag);
   this->ReceiveBytes(bytes, member);
   return bytes;
@@ -181,7 +180,7 @@ std::vector<char> RankCrew::Receive(int member, Monitor& monitor)
 // A member that has no room for it goes away, and what it holds is lost.
 void RankCrew::Reply(int member, const std::vector<char>& bytes)
 {
-  State& state = this->States[static_cast<std::size_t>(member)];
+  State& state = this->States[member];
   if (state != State::Waiting)
   {
     return;
@@ -262,14 +261,14 @@ void RankCrew::End()
   for (int member = 1; member < static_cast<int>(this->States.size()); ++member)
   {
     this->Reply(member, {});
-    if (this->States[static_cast<std::size_t>(member)] == State::AtWork)
+    if (this->States[member] == State::AtWork)
     {
       this->Controller->Send(&answer, 1, member, AnswerTag);
     }
   }
   for (int member = 1; member < static_cast<int>(this->States.size()); ++member)
   {
-    if (this->States[static_cast<std::size_t>(member)] == State::AtWork)
+    if (this->States[member] == State::AtWork)
     {
       vtkIdType unused = 0;
       this->Controller->Receive(&unused, 1, member, LengthTag);

@@ -66,13 +66,10 @@ struct ImageAxes
 class Packer
 {
 public:
-  explicit Packer(std::vector<char>& bytes)
-    : Bytes(bytes)
-  {
-  }
-
   // False where `piece`, which may be null, is of another kind.
   bool Pack(vtkDataObject* piece);
+
+  std::vector<char>& Bytes;
 
 private:
   bool PackTree(vtkDataObjectTree* tree);
@@ -85,8 +82,6 @@ private:
     const char* first = reinterpret_cast<const char*>(&value);
     this->Bytes.insert(this->Bytes.end(), first, first + sizeof(value));
   }
-
-  std::vector<char>& Bytes;
 };
 
 bool Packer::Pack(vtkDataObject* piece)
@@ -157,12 +152,9 @@ bool Packer::PackLeaf(vtkDataObject* leaf)
 class Unpacker
 {
 public:
-  explicit Unpacker(const char* bytes)
-    : Next(bytes)
-  {
-  }
-
   vtkSmartPointer<vtkDataObject> Unpack();
+
+  const char* Next;
 
 private:
   vtkSmartPointer<vtkDataObject> UnpackTree();
@@ -175,8 +167,6 @@ private:
     std::memcpy(&value, this->Next, sizeof(value));
     this->Next += sizeof(value);
   }
-
-  const char* Next;
 };
 
 vtkSmartPointer<vtkDataObject> Unpacker::Unpack()
@@ -257,7 +247,7 @@ bool Pack(vtkDataObject* piece, std::vector<char>& bytes)
 {
   try
   {
-    return Packer(bytes).Pack(piece);
+    return Packer{ bytes }.Pack(piece);
   }
   catch (const std::bad_alloc&)
   {
@@ -305,7 +295,7 @@ void DescribeFieldData(vtkDataObject* output, vtkMultiProcessStream& stream)
   vtkNew<vtkPolyData> empty;
   empty->SetFieldData(output->GetFieldData());
   std::vector<char> bytes;
-  Packer(bytes).Pack(empty);
+  Packer{ bytes }.Pack(empty);
   stream << std::string(bytes.begin(), bytes.end());
 }
 
@@ -313,7 +303,7 @@ void MakeFieldData(vtkDataObject* output, vtkMultiProcessStream& stream)
 {
   std::string bytes;
   stream >> bytes;
-  const auto empty = Unpacker(bytes.data()).Unpack();
+  const auto empty = Unpacker{ bytes.data() }.Unpack();
   if (empty)
   {
     output->SetFieldData(empty->GetFieldData());
@@ -596,7 +586,7 @@ vtkSmartPointer<vtkDataObject> WholeInput::Make() const
     }
     if (!isRepeated)
     {
-      pieces.push_back(Unpacker(bytes + offsets[rank]).Unpack());
+      pieces.push_back(Unpacker{ bytes + offsets[rank] }.Unpack());
     }
   }
   return WholeFromPieces(pieces);

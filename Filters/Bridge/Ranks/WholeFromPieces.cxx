@@ -256,7 +256,7 @@ void Merger::ChooseCells()
     this->All->GetCellPoints(cell, corners);
     for (const vtkIdType corner : *corners)
     {
-      this->CornerIds.push_back(this->Merged[static_cast<std::size_t>(corner)]);
+      this->CornerIds.push_back(this->Merged[corner]);
     }
     this->Offsets.push_back(static_cast<vtkIdType>(this->CornerIds.size()));
     if (this->IsGhost(cell) || corners->GetNumberOfIds() == 0)
@@ -290,8 +290,8 @@ std::vector<double> Merger::KeyOf(vtkIdType cell) const
     return { this->CellIds->GetComponent(cell, 0) };
   }
   const auto corners = this->CornerIds.begin();
-  std::vector<double> key(corners + this->Offsets[static_cast<std::size_t>(cell)],
-    corners + this->Offsets[static_cast<std::size_t>(cell) + 1]);
+  std::vector<double> key(
+    corners + this->Offsets[cell], corners + this->Offsets[static_cast<std::size_t>(cell) + 1]);
   key.push_back(this->All->GetCellType(cell));
   return key;
 }
@@ -322,7 +322,7 @@ Numbers Merger::NumberPoints(Numbers& kept) const
   Numbers numbers(this->Merged.size(), -1);
   for (const vtkIdType cell : this->Kept)
   {
-    const auto first = static_cast<std::size_t>(this->Offsets[static_cast<std::size_t>(cell)]);
+    const auto first = static_cast<std::size_t>(this->Offsets[cell]);
     const auto end = static_cast<std::size_t>(this->Offsets[static_cast<std::size_t>(cell) + 1]);
     for (std::size_t k = first; k < end; ++k)
     {
@@ -341,7 +341,7 @@ Numbers Merger::NumberPoints(Numbers& kept) const
       { return this->PointIds->GetComponent(a, 0) < this->PointIds->GetComponent(b, 0); });
     for (std::size_t k = 0; k < kept.size(); ++k)
     {
-      numbers[static_cast<std::size_t>(kept[k])] = static_cast<vtkIdType>(k);
+      numbers[kept[k]] = static_cast<vtkIdType>(k);
     }
   }
   return numbers;
@@ -362,14 +362,13 @@ Numbers Merger::OwnersOf(const Numbers& kept) const
   std::iota(owners.begin(), owners.end(), vtkIdType{ 0 });
   for (vtkIdType point = 0; point < this->All->GetNumberOfPoints(); ++point)
   {
-    vtkIdType& owner =
-      owners[static_cast<std::size_t>(this->Merged[static_cast<std::size_t>(point)])];
+    vtkIdType& owner = owners[this->Merged[static_cast<std::size_t>(point)]];
     owner = isOwn(owner) || !isOwn(point) ? owner : point;
   }
   Numbers ofKept;
   for (const vtkIdType point : kept)
   {
-    ofKept.push_back(owners[static_cast<std::size_t>(point)]);
+    ofKept.push_back(owners[point]);
   }
   return ofKept;
 }
@@ -407,11 +406,10 @@ vtkSmartPointer<vtkDataSet> Merger::Result()
   for (const vtkIdType cell : this->Kept)
   {
     corners.clear();
-    for (auto k = this->Offsets[static_cast<std::size_t>(cell)];
-         k < this->Offsets[static_cast<std::size_t>(cell) + 1]; ++k)
+    for (auto k = this->Offsets[cell]; k < this->Offsets[static_cast<std::size_t>(cell) + 1]; ++k)
     {
-      const vtkIdType corner = this->CornerIds[static_cast<std::size_t>(k)];
-      corners.push_back(numbers[static_cast<std::size_t>(corner)]);
+      const vtkIdType corner = this->CornerIds[k];
+      corners.push_back(numbers[corner]);
     }
     result->InsertNextCell(
       this->All->GetCellType(cell), static_cast<int>(corners.size()), corners.data());
@@ -554,7 +552,7 @@ Assembly::Assembly(const DataSets& pieces, const std::vector<Extent>& extents)
 void Assembly::FindOrigins(int association, const std::vector<Extent>& extents)
 {
   const Lattice whole = LatticeOf(this->Box, association);
-  std::vector<Origin>& origins = this->Origins[static_cast<std::size_t>(association)];
+  std::vector<Origin>& origins = this->Origins[association];
   origins.resize(static_cast<std::size_t>(whole.Size()));
   for (const bool areGhosts : { false, true })
   {
@@ -571,10 +569,9 @@ void Assembly::FindOrigins(int association, const std::vector<Extent>& extents)
 void Assembly::Take(
   int piece, bool areGhosts, int association, const Lattice& part, const Lattice& whole)
 {
-  vtkUnsignedCharArray* ghosts = association == vtkDataObject::CELL
-    ? GhostsOf(this->Pieces[static_cast<std::size_t>(piece)], association)
-    : nullptr;
-  std::vector<Origin>& origins = this->Origins[static_cast<std::size_t>(association)];
+  vtkUnsignedCharArray* ghosts =
+    association == vtkDataObject::CELL ? GhostsOf(this->Pieces[piece], association) : nullptr;
+  std::vector<Origin>& origins = this->Origins[association];
   vtkIdType from = 0;
   for (int k = part.Box[4]; k <= part.Box[5]; ++k)
   {
@@ -582,7 +579,7 @@ void Assembly::Take(
     {
       for (int i = part.Box[0]; i <= part.Box[1]; ++i, ++from)
       {
-        Origin& origin = origins[static_cast<std::size_t>(whole.NumberOf(i, j, k))];
+        Origin& origin = origins[whole.NumberOf(i, j, k)];
         const bool isGhost =
           ghosts && (ghosts->GetValue(from) & vtkDataSetAttributes::DUPLICATECELL) != 0;
         if (isGhost == areGhosts && origin.Piece < 0)
@@ -638,8 +635,7 @@ vtkSmartPointer<vtkDataArray> Assembly::CoordinatesAlong(std::size_t axis) const
   {
     const auto number = static_cast<std::size_t>(points.NumberOf(place[0], place[1], place[2]));
     const Origin& origin = this->Origins[vtkDataObject::POINT][number];
-    coordinates->InsertNextValue(
-      this->Pieces[static_cast<std::size_t>(origin.Piece)]->GetPoint(origin.Number)[axis]);
+    coordinates->InsertNextValue(this->Pieces[origin.Piece]->GetPoint(origin.Number)[axis]);
   }
   return coordinates;
 }
@@ -654,8 +650,7 @@ vtkSmartPointer<vtkPoints> Assembly::PointsOfAll() const
   points->SetDataType(isType ? type : VTK_DOUBLE);
   for (const Origin& origin : this->Origins[vtkDataObject::POINT])
   {
-    points->InsertNextPoint(
-      this->Pieces[static_cast<std::size_t>(origin.Piece)]->GetPoint(origin.Number));
+    points->InsertNextPoint(this->Pieces[origin.Piece]->GetPoint(origin.Number));
   }
   return points;
 }
@@ -663,7 +658,7 @@ vtkSmartPointer<vtkPoints> Assembly::PointsOfAll() const
 // Those that all pieces have.
 void Assembly::CopyArrays(int association, vtkDataSet* whole) const
 {
-  const std::vector<Origin>& origins = this->Origins[static_cast<std::size_t>(association)];
+  const std::vector<Origin>& origins = this->Origins[association];
   vtkDataSetAttributes* attributes = whole->GetAttributes(association);
   vtkDataSetAttributes::FieldList common;
   for (vtkDataSet* piece : this->Pieces)
@@ -676,8 +671,7 @@ void Assembly::CopyArrays(int association, vtkDataSet* whole) const
   vtkIdType to = 0;
   for (const Origin& origin : origins)
   {
-    common.CopyData(origin.Piece,
-      this->Pieces[static_cast<std::size_t>(origin.Piece)]->GetAttributes(association),
+    common.CopyData(origin.Piece, this->Pieces[origin.Piece]->GetAttributes(association),
       origin.Number, attributes, to++);
   }
 }

@@ -257,25 +257,18 @@ int PassTimes(vtkInformationVector** inputs, int numberOfPorts, vtkInformationVe
 std::string CheckMesherParameters(const BitingMeshOptions& options)
 {
   const SimplificationOptions& simplification = options.Simplification;
-  for (const std::string& refusal :
+  const double phi = options.Phi;
+  return FirstRefusal(
     { CheckSpacingParameters(options.Spacing), CheckMergeTolerance(options.Domain.MergeTolerance),
       CheckAtLeastZero("End Tolerance", options.Domain.EndTolerance),
       CheckAtLeastZero("Boundary Tolerance", simplification.Tolerance),
       CheckAtLeastZero("Corner Angle", simplification.CornerAngle),
       CheckAtLeastZero("Minimum Loop Size", simplification.MinimumLoopSize),
-      CheckBitingConstant(options.BitingConstant) })
-  {
-    if (!refusal.empty())
-    {
-      return refusal;
-    }
-  }
-  if (!(options.Phi > 0.0 && options.Phi <= 1.0))
-  {
-    return "Phi is " + Figure(options.Phi, 6) + "; it must be above 0 and at most 1.";
-  }
-  const std::string refusal = CheckMostBites(options.MaximumNumberOfBites);
-  return refusal.empty() ? CheckMostVertices(options.MaximumNumberOfVertices) : refusal;
+      CheckBitingConstant(options.BitingConstant),
+      phi > 0.0 && phi <= 1.0 ? ""
+                              : "Phi is " + Figure(phi, 6) + "; it must be above 0 and at most 1.",
+      CheckMostBites(options.MaximumNumberOfBites),
+      CheckMostVertices(options.MaximumNumberOfVertices) });
 }
 
 } // namespace biting

@@ -19,6 +19,7 @@
 #include "MonitorOfFilter.h"
 #include "ProblemReport.h"
 
+#include <algorithm>        // for find_if
 #include <cmath>            // for isfinite
 #include <functional>       // for steps
 #include <initializer_list> // for inputs
@@ -151,26 +152,25 @@ inline std::string CheckAtLeastZero(const char* name, double value)
   return std::string(name) + " is " + Figure(value, 6) + "; it must be finite, and 0 or more.";
 }
 
+/// The first that is not empty; empty where all are.
+inline std::string FirstRefusal(std::initializer_list<std::string> refusals)
+{
+  const auto first = std::find_if(
+    refusals.begin(), refusals.end(), [](const std::string& refusal) { return !refusal.empty(); });
+  return first == refusals.end() ? std::string() : *first;
+}
+
 /// Of the parameters that mesher and remesher have in common.
 inline std::string CheckSpacingParameters(const SpacingOptions& spacing)
 {
-  for (const std::string& refusal : { CheckAtLeastZero("Uniform Spacing", spacing.Uniform),
-         CheckAtLeastZero("Spacing Scale", spacing.Scale),
-         CheckAtLeastZero("Minimum Spacing", spacing.Minimum),
-         CheckAtLeastZero("Maximum Spacing", spacing.Maximum),
-         CheckAtLeastZero("Gradation", spacing.Gradation) })
-  {
-    if (!refusal.empty())
-    {
-      return refusal;
-    }
-  }
-  if (spacing.Scale == 0.0)
-  {
-    return "Spacing Scale is 0; it must be above 0.";
-  }
+  const std::string refusal = FirstRefusal({ CheckAtLeastZero("Uniform Spacing", spacing.Uniform),
+    CheckAtLeastZero("Spacing Scale", spacing.Scale),
+    CheckAtLeastZero("Minimum Spacing", spacing.Minimum),
+    CheckAtLeastZero("Maximum Spacing", spacing.Maximum),
+    CheckAtLeastZero("Gradation", spacing.Gradation),
+    spacing.Scale == 0.0 ? "Spacing Scale is 0; it must be above 0." : "" });
   const bool isCrossed = spacing.Maximum > 0.0 && spacing.Minimum > spacing.Maximum;
-  return isCrossed ? "Minimum Spacing is above Maximum Spacing." : "";
+  return refusal.empty() && isCrossed ? "Minimum Spacing is above Maximum Spacing." : refusal;
 }
 
 inline std::string CheckMergeTolerance(double tolerance)

@@ -4,7 +4,6 @@
 #ifndef BitingMonitorOfFilter_h
 #define BitingMonitorOfFilter_h
 
-#include "../../Kernel/Base/Executor.h"
 #include "../../Kernel/Base/Monitor.h"
 #include "../../vtkBitingCompat.h" // for the ABI namespace
 

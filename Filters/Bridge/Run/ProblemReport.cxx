@@ -4,6 +4,7 @@
 #include "ProblemReport.h"
 
 #include "../Data/ArrayFromVector.h"
+#include "../Data/Arrays.h"
 
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
@@ -124,11 +125,6 @@ const Wording& WordingOf(ProblemCode code)
   return Wordings[static_cast<std::size_t>(code)];
 }
 
-bool IsFinite(const Point3& place)
-{
-  return std::all_of(place.begin(), place.end(), [](double value) { return std::isfinite(value); });
-}
-
 // For each point that is not finite, a finite one beside it in a chain; NoId where there is none.
 class Neighbors
 {
@@ -140,14 +136,14 @@ public:
     const Polylines& chains = input.Chains;
     for (Id chain = 0; chain < chains.NumberOfChains(); ++chain)
     {
-      const Id first = chains.Offsets[static_cast<std::size_t>(chain)];
+      const Id first = chains.Offsets[chain];
       const Id last = chains.Offsets[static_cast<std::size_t>(chain) + 1] - 1;
       this->Walk(first, last, 1);
       this->Walk(last, first, -1);
     }
   }
 
-  Id operator[](std::int64_t point) const { return this->Beside[static_cast<std::size_t>(point)]; }
+  Id operator[](std::int64_t point) const { return this->Beside[point]; }
 
 private:
   void Walk(Id from, Id to, Id step)
@@ -155,15 +151,15 @@ private:
     Id finite = NoId;
     for (Id k = from; k != to + step; k += step)
     {
-      const Id point = this->Input.Chains.Connectivity[static_cast<std::size_t>(k)];
+      const Id point = this->Input.Chains.Connectivity[k];
       const double* place = this->Input.Place(point);
-      if (IsFinite({ place[0], place[1], place[2] }))
+      if (AreFinite(place))
       {
         finite = point;
       }
-      else if (this->Beside[static_cast<std::size_t>(point)] == NoId)
+      else if (this->Beside[point] == NoId)
       {
-        this->Beside[static_cast<std::size_t>(point)] = finite;
+        this->Beside[point] = finite;
       }
     }
   }
@@ -231,7 +227,7 @@ void AddGroup(const ProblemGroup& group, const PlanarInput& input, bool isError,
     MoveToNeighbors(input, first, places);
   }
   const auto end = std::remove_if(places.begin() + static_cast<std::ptrdiff_t>(first), places.end(),
-    [](const ProblemPlace& place) { return !IsFinite(place.Place); });
+    [](const ProblemPlace& place) { return !AreFinite(place.Place.Data()); });
   places.erase(end, places.end());
 }
 

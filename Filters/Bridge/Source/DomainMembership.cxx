@@ -3,7 +3,7 @@
 
 #include "DomainMembership.h"
 
-#include "../../Kernel/Base/PartOfStage.h"
+#include "../../Kernel/Base/Monitor.h"
 #include "../../Kernel/Predicates/Predicates.h"
 
 namespace biting
@@ -41,9 +41,7 @@ bool DomainMembership::IsOnBoundary(const Point2& place) const
   {
     return false; // most places of a source that reaches far beyond, and those that are not finite
   }
-  Box2 box;
-  box.Add(place);
-  return this->Locator->VisitSegments(box,
+  return this->Locator->VisitSegments(Box2::Around(place, place),
     [this, &place](Id segment)
     {
       return IsOnSegment(place, this->Domain.Vertices[this->Domain.Starts[segment]],

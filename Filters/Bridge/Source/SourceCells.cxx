@@ -31,8 +31,8 @@ struct Side
   std::array<vtkIdType, 4> Points{};
   int Size = 0;
 
-  void Add(vtkIdType point) { this->Points[static_cast<std::size_t>(this->Size++)] = point; }
-  vtkIdType operator[](int k) const { return this->Points[static_cast<std::size_t>(k)]; }
+  void Add(vtkIdType point) { this->Points[this->Size++] = point; }
+  vtkIdType operator[](int k) const { return this->Points[k]; }
 };
 
 // As GridEnd.
@@ -120,7 +120,7 @@ void PlaneCut::AddTetrahedron(const vtkIdType* points)
   Side above;
   for (int corner = 0; corner < 4; ++corner)
   {
-    const double distance = this->Distances[static_cast<std::size_t>(points[corner])];
+    const double distance = this->Distances[points[corner]];
     Side& side = distance < 0.0 ? below : (distance > 0.0 ? above : on);
     side.Add(points[corner]);
   }
@@ -137,12 +137,12 @@ void PlaneCut::AddTetrahedron(const vtkIdType* points)
     {
       // Every second row backwards, so that the four nodes go around their quadrilateral.
       const int turned = b % 2 == 0 ? a : above.Size - 1 - a;
-      nodes[static_cast<std::size_t>(size++)] = this->EdgeNode(below[b], above[turned]);
+      nodes[size++] = this->EdgeNode(below[b], above[turned]);
     }
   }
   for (int k = 0; k < on.Size; ++k)
   {
-    nodes[static_cast<std::size_t>(size++)] = on[k];
+    nodes[size++] = on[k];
   }
   this->AddPolygon(nodes.data(), size);
 }
@@ -181,7 +181,7 @@ void PlaneCut::MergeEdges(Pulse& pulse)
       vtkIdType& node = this->Triangles[k];
       if (node >= numberOfPoints)
       {
-        const Edge& edge = given[static_cast<std::size_t>(node - numberOfPoints)];
+        const Edge& edge = given[node - numberOfPoints];
         const auto found = std::lower_bound(this->Edges.begin(), this->Edges.end(), edge);
         node = numberOfPoints + static_cast<vtkIdType>(found - this->Edges.begin());
       }
@@ -190,8 +190,8 @@ void PlaneCut::MergeEdges(Pulse& pulse)
 
 double PlaneCut::Fraction(const Edge& edge) const
 {
-  const double low = this->Distances[static_cast<std::size_t>(edge.Low)];
-  const double high = this->Distances[static_cast<std::size_t>(edge.High)];
+  const double low = this->Distances[edge.Low];
+  const double high = this->Distances[edge.High];
   return low / (low - high);
 }
 
@@ -294,7 +294,7 @@ bool SourceCells::MeetsPlane() const
   double high = -low;
   for (vtkIdType k = 0; k < this->Corners->GetNumberOfIds(); ++k)
   {
-    const double distance = this->Distances[static_cast<std::size_t>(this->Corners->GetId(k))];
+    const double distance = this->Distances[this->Corners->GetId(k)];
     low = std::min(low, distance);
     high = std::max(high, distance);
   }
@@ -356,8 +356,8 @@ std::vector<vtkIdType> SourceCells::UsedPoints() const
   this->Beats.ForEach(edges.size(),
     [&edges, &isUsed](std::size_t k)
     {
-      isUsed[static_cast<std::size_t>(edges[k].Low)] = 1;
-      isUsed[static_cast<std::size_t>(edges[k].High)] = 1;
+      isUsed[edges[k].Low] = 1;
+      isUsed[edges[k].High] = 1;
     });
   std::vector<vtkIdType> used;
   this->Beats.ForEach(isUsed.size(),
@@ -380,7 +380,7 @@ std::shared_ptr<TriangulatedSource> SourceCells::Triangulation(const double* val
   this->Beats.ForEach(nodes.size(),
     [this, values, &triangulation, &newIds, &nodes](std::size_t k)
     {
-      Id& newId = newIds[static_cast<std::size_t>(nodes[k])];
+      Id& newId = newIds[nodes[k]];
       if (newId == NoId)
       {
         newId = static_cast<Id>(triangulation->Points.size());
@@ -401,14 +401,13 @@ std::vector<TupleMix> SourceCells::Origins() const
   this->Beats.ForEach(nodes.size(),
     [this, numberOfPoints, &origins, &isKnown, &nodes](std::size_t k)
     {
-      std::uint8_t& known = isKnown[static_cast<std::size_t>(nodes[k])];
+      std::uint8_t& known = isKnown[nodes[k]];
       if (known == 0)
       {
         TupleMix origin;
         const bool isPoint = nodes[k] < numberOfPoints;
-        const PlaneCut::Edge edge = isPoint
-          ? PlaneCut::Edge{ nodes[k], nodes[k] }
-          : this->Cut.GetEdges()[static_cast<std::size_t>(nodes[k] - numberOfPoints)];
+        const PlaneCut::Edge edge = isPoint ? PlaneCut::Edge{ nodes[k], nodes[k] }
+                                            : this->Cut.GetEdges()[nodes[k] - numberOfPoints];
         const double fraction = isPoint ? 0.0 : this->Cut.Fraction(edge);
         origin.Add(edge.Low, 1.0 - fraction);
         origin.Add(edge.High, fraction);
@@ -428,8 +427,7 @@ Point2 SourceCells::PlaceOf(vtkIdType node) const
     this->Source->GetPoint(node, place);
     return this->Frame.ToPlane(place);
   }
-  const PlaneCut::Edge& edge =
-    this->Cut.GetEdges()[static_cast<std::size_t>(node - numberOfPoints)];
+  const PlaneCut::Edge& edge = this->Cut.GetEdges()[node - numberOfPoints];
   this->Source->GetPoint(edge.Low, place);
   const Point2 low = this->Frame.ToPlane(place);
   this->Source->GetPoint(edge.High, place);
@@ -444,8 +442,7 @@ double SourceCells::ValueOf(vtkIdType node, const double* values) const
   {
     return values[node];
   }
-  const PlaneCut::Edge& edge =
-    this->Cut.GetEdges()[static_cast<std::size_t>(node - numberOfPoints)];
+  const PlaneCut::Edge& edge = this->Cut.GetEdges()[node - numberOfPoints];
   return values[edge.Low] + this->Cut.Fraction(edge) * (values[edge.High] - values[edge.Low]);
 }
 

@@ -6,6 +6,7 @@
 #include "../Run/ProblemReport.h"
 
 #include <algorithm> // for clamp, max, min
+#include <array>     // for corners
 #include <cmath>     // for abs, ceil, sqrt
 #include <limits>    // for infinity
 
@@ -33,9 +34,9 @@ double MeanStep(const TriangulatedSource& source)
   double area = 0.0;
   for (std::size_t k = 0; k < source.Triangles.size(); k += 3)
   {
-    const Point2& a = source.Points[static_cast<std::size_t>(source.Triangles[k])];
-    const Point2& b = source.Points[static_cast<std::size_t>(source.Triangles[k + 1])];
-    const Point2& c = source.Points[static_cast<std::size_t>(source.Triangles[k + 2])];
+    const Point2& a = source.Points[source.Triangles[k]];
+    const Point2& b = source.Points[source.Triangles[k + 1]];
+    const Point2& c = source.Points[source.Triangles[k + 2]];
     area += 0.5 * std::abs(Cross(b - a, c - a));
   }
   return std::sqrt(
@@ -85,22 +86,16 @@ SourceCover::SourceCover(const SpacingOptions& options)
 void SourceCover::Cover(const GridSource& grid)
 {
   this->HasSource = true;
-  Box2 box;
-  box.Add({ grid.XNodes.front(), grid.YNodes.front() });
-  box.Add({ grid.XNodes.back(), grid.YNodes.back() });
+  const Box2 box = Box2::Around(Point2{ grid.XNodes.front(), grid.YNodes.front() },
+    Point2{ grid.XNodes.back(), grid.YNodes.back() });
   this->Bounds = Widened(box, StepAtEnds(grid.XNodes), StepAtEnds(grid.YNodes));
 }
 
 void SourceCover::Cover(const TriangulatedSource& source)
 {
   this->HasSource = !source.Points.empty();
-  Box2 box;
-  for (const Point2& point : source.Points)
-  {
-    box.Add(point);
-  }
   const double step = MeanStep(source);
-  this->Bounds = Widened(box, step, step);
+  this->Bounds = Widened(Box2::Around(source.Points), step, step);
   const double side = std::max(this->Bounds.Width(), this->Bounds.Height());
   this->SquareSize = std::max(step, side / MostSquaresAlongASide);
   if (!this->HasSource || !(this->SquareSize > 0.0))
@@ -112,12 +107,9 @@ void SourceCover::Cover(const TriangulatedSource& source)
   this->IsMarked.assign(this->Columns * this->Rows, 0);
   for (std::size_t k = 0; k < source.Triangles.size(); k += 3)
   {
-    Box2 triangle;
-    for (std::size_t corner = 0; corner < 3; ++corner)
-    {
-      triangle.Add(source.Points[static_cast<std::size_t>(source.Triangles[k + corner])]);
-    }
-    this->Mark(Widened(triangle, step, step));
+    const std::array<Id, 3> corners{ source.Triangles[k], source.Triangles[k + 1],
+      source.Triangles[k + 2] };
+    this->Mark(Widened(Box2::Around(source.Points, corners), step, step));
   }
 }
 
@@ -179,9 +171,8 @@ UncoveredPart FindUncovered(const BitingMesh& mesh, const SpacingOptions& option
       const Id* corners = mesh.Corners.data() + 3 * triangle;
       const auto number =
         mesh.Piece.IsPart ? mesh.Piece.TriangleIds[triangle] : static_cast<std::int64_t>(triangle);
-      AddTriangle(mesh.Points[static_cast<std::size_t>(corners[0])],
-        mesh.Points[static_cast<std::size_t>(corners[1])],
-        mesh.Points[static_cast<std::size_t>(corners[2])], number, cover, part);
+      AddTriangle(mesh.Points[corners[0]], mesh.Points[corners[1]], mesh.Points[corners[2]], number,
+        cover, part);
     }
   }
   return part;
@@ -201,10 +192,8 @@ std::string UncoveredWarning(const std::vector<Point2>& points, const std::vecto
   UncoveredPart part;
   for (std::size_t k = 0; k < corners.size(); k += 3)
   {
-    AddTriangle(points[static_cast<std::size_t>(corners[k])],
-      points[static_cast<std::size_t>(corners[k + 1])],
-      points[static_cast<std::size_t>(corners[k + 2])], static_cast<std::int64_t>(k / 3), cover,
-      part);
+    AddTriangle(points[corners[k]], points[corners[k + 1]], points[corners[k + 2]],
+      static_cast<std::int64_t>(k / 3), cover, part);
   }
   return UncoveredWarning(part, frame);
 }

@@ -6,7 +6,6 @@
 #include "../../Kernel/Base/Pulse.h"
 #include "../Data/Arrays.h"
 #include "../Run/ProblemReport.h"
-#include "GlobeSource.h"
 #include "SourceCells.h"
 #include "SpacingValues.h"
 
@@ -17,10 +16,13 @@
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 
-#include <algorithm> // for all_of, is_sorted, minmax
+#include <algorithm> // for adjacent_find, all_of, clamp, none_of
 #include <array>     // for axes
-#include <cmath>     // for NaN
+#include <cmath>     // for isfinite, isnan
+#include <cstddef>   // for steps
+#include <cstdint>   // for marks
 #include <limits>    // for NaN
+#include <utility>   // for move
 
 namespace biting
 {
@@ -157,9 +159,9 @@ bool HasArea(const TriangulatedSource& source, Pulse& pulse)
 {
   for (std::size_t k = 0; k < source.Triangles.size() && pulse.Beat(); k += 3)
   {
-    const Point2& a = source.Points[static_cast<std::size_t>(source.Triangles[k])];
-    const Point2& b = source.Points[static_cast<std::size_t>(source.Triangles[k + 1])];
-    const Point2& c = source.Points[static_cast<std::size_t>(source.Triangles[k + 2])];
+    const Point2& a = source.Points[source.Triangles[k]];
+    const Point2& b = source.Points[source.Triangles[k + 1]];
+    const Point2& c = source.Points[source.Triangles[k + 2]];
     if (Cross(b - a, c - a) != 0.0)
     {
       return true;
@@ -247,6 +249,69 @@ std::vector<double> KnownValues(vtkDataSet* source, vtkDataArray* given, const P
   return values;
 }
 
+constexpr double LeastLevel = -0.996; // about the cosine of 175 degrees
+
+// In degrees: each cell two triangles.
+TriangulatedSource TrianglesOf(const GridSource& grid)
+{
+  TriangulatedSource source;
+  source.Values = grid.Values;
+  source.Points.reserve(grid.Values.size());
+  source.Triangles.reserve(6 * grid.Values.size());
+  for (const double y : grid.YNodes)
+  {
+    for (const double x : grid.XNodes)
+    {
+      source.Points.push_back({ x, y });
+    }
+  }
+  const auto width = static_cast<Id>(grid.XNodes.size());
+  for (Id row = 1; row < static_cast<Id>(grid.YNodes.size()); ++row)
+  {
+    for (Id k = row * width + 1; k < (row + 1) * width; ++k)
+    {
+      const Id below = k - width;
+      source.Triangles.insert(source.Triangles.end(), { below - 1, below, k, below - 1, k, k - 1 });
+    }
+  }
+  return source;
+}
+
+// Takes a source, which is in degrees, into the stereographic plane `frame`, as triangles that are
+// straight and linear there: of cells up to 10 degrees wide that is as in degrees but for about 2
+// % of what f changes in one, up to 90 degrees from the middle (w tan(c / 2) / 8 for the width w
+// and the distance c, as the scale changes). Triangles with a corner more than 175 degrees from
+// the middle are left out.
+std::shared_ptr<const TriangulatedSource> SourceOnGlobe(
+  const PlaneFrame& frame, const GivenSource& source, Pulse& pulse)
+{
+  const auto* grid = std::get_if<std::shared_ptr<const GridSource>>(&source);
+  auto mapped = std::make_shared<TriangulatedSource>(
+    grid ? TrianglesOf(**grid) : *std::get<std::shared_ptr<const TriangulatedSource>>(source));
+  std::vector<std::uint8_t> isFar;
+  isFar.reserve(mapped->Points.size());
+  for (Point2& point : mapped->Points)
+  {
+    const Point3 degrees{ point.X, std::clamp(point.Y, -90.0, 90.0), 0.0 };
+    isFar.push_back(frame.LevelOf(degrees.Data()) < LeastLevel);
+    point = isFar.back() ? Point2() : frame.ToPlane(degrees.Data());
+  }
+  std::vector<Id> near;
+  near.reserve(mapped->Triangles.size());
+  for (std::size_t k = 0; k < mapped->Triangles.size() && pulse.Beat(); k += 3)
+  {
+    const auto first = mapped->Triangles.begin() + static_cast<std::ptrdiff_t>(k);
+    if (std::none_of(first, first + 3, [&isFar](Id point) { return isFar[point] != 0; }))
+    {
+      near.insert(near.end(), first, first + 3);
+    }
+  }
+  mapped->Triangles = std::move(near);
+  SortSource(*mapped, pulse);
+  mapped->MayOverlap = true;
+  return mapped;
+}
+
 } // namespace
 
 std::optional<PlaneGrid> GridOf(vtkDataSet* source, const PlaneFrame& frame)
@@ -290,12 +355,11 @@ std::string AddSourceSpacing(const SourceData& chosen, const PlaneFrame& frame,
   Pulse pulse(monitor);
   vtkDataSet* source = chosen.Data;
   vtkDataArray* given = chosen.Chosen.Array;
-  for (const std::string& refusal : { CheckShape(source, given), CheckImage(source) })
+  const std::string shape = CheckShape(source, given);
+  const std::string unusable = shape.empty() ? CheckImage(source) : shape;
+  if (!unusable.empty())
   {
-    if (!refusal.empty())
-    {
-      return refusal;
-    }
+    return unusable;
   }
   std::vector<double> values =
     KnownValues(source, given, frame, isWanted, LeastValue(options), pulse);

@@ -100,8 +100,7 @@ void SourceOfSpace::AddConesOf(
       cell->GetPoints()->GetPoint(j, b.Data());
       const vtkIdType first = cell->GetPointId(static_cast<int>(i));
       const vtkIdType second = cell->GetPointId(static_cast<int>(j));
-      const double change = this->Values[static_cast<std::size_t>(second)] -
-        this->Values[static_cast<std::size_t>(first)];
+      const double change = this->Values[second] - this->Values[first];
       if (std::abs(change) > this->Options.Gradation * Distance(a, b))
       {
         isSteep = true;
@@ -145,8 +144,8 @@ void SourceOfSpace::Grade(const Box3& bounds, Monitor& monitor, Pulse& pulse)
       Point3 b;
       this->Data->GetPoint(edges[k].first, a.Data());
       this->Data->GetPoint(edges[k].second, b.Data());
-      const double atA = this->Values[static_cast<std::size_t>(edges[k].first)];
-      const double atB = this->Values[static_cast<std::size_t>(edges[k].second)];
+      const double atA = this->Values[edges[k].first];
+      const double atB = this->Values[edges[k].second];
       const double away = std::max(bounds.DistanceTo(a) - Distance(a, b), 0.0);
       if (std::min(atA, atB) + slope * away < most)
       {
@@ -233,8 +232,8 @@ public:
           Point3 place;
           cell->GetPoints()->GetPoint(i, place.Data());
           item.Bounds.Add(place);
-          isKnown = isKnown && AreFinite(place.Data()) &&
-            !std::isnan(this->Values[static_cast<std::size_t>(cell->GetPointId(i))]);
+          isKnown =
+            isKnown && AreFinite(place.Data()) && !std::isnan(this->Values[cell->GetPointId(i)]);
         }
         if (isKnown)
         {
@@ -288,7 +287,7 @@ private:
     double high = 0.0;
     for (int i = 0; i < cell->GetNumberOfPoints(); ++i)
     {
-      const double value = this->Values[static_cast<std::size_t>(cell->GetPointId(i))];
+      const double value = this->Values[cell->GetPointId(i)];
       sum += weights[i] * value;
       low = std::min(low, value);
       high = std::max(high, value);

@@ -46,9 +46,7 @@ void AddPlace(
   bad.FirstId = point;
   bad.Place = place;
   bad.Message = message;
-  const bool isFinite = std::all_of(
-    place.begin(), place.end(), [](double coordinate) { return std::isfinite(coordinate); });
-  if (isFinite && places.Places.size() < ProblemList::KeptPerKind)
+  if (AreFinite(place.Data()) && places.Places.size() < ProblemList::KeptPerKind)
   {
     places.Places.push_back(bad);
   }
@@ -100,7 +98,7 @@ std::vector<Id> SortPoints(std::vector<Point2>& points, std::vector<double>& val
       points.push_back(nodes[k].Place);
       values.push_back(nodes[k].Value);
     }
-    numbers[static_cast<std::size_t>(nodes[k].Number)] = static_cast<Id>(points.size()) - 1;
+    numbers[nodes[k].Number] = static_cast<Id>(points.size()) - 1;
   }
   return numbers;
 }
@@ -113,7 +111,7 @@ std::vector<std::array<Id, Size>> SortCells(
   std::vector<std::array<Id, Size>> cells(corners.size() / Size);
   for (std::size_t k = 0; k < corners.size(); ++k)
   {
-    cells[k / Size][k % Size] = numbers[static_cast<std::size_t>(corners[k])];
+    cells[k / Size][k % Size] = numbers[corners[k]];
   }
   for (auto& cell : cells)
   {
@@ -180,7 +178,7 @@ std::string CheckReadValues(vtkDataSet* data, vtkDataArray* array,
       return {};
     }
     const vtkIdType point = points ? (*points)[k] : static_cast<vtkIdType>(k);
-    const double value = values[static_cast<std::size_t>(point)];
+    const double value = values[point];
     if (!IsSpacing(value, owner) && static_cast<std::size_t>(++count) <= ProblemList::KeptPerKind)
     {
       Point3 place;

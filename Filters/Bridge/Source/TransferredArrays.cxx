@@ -92,8 +92,7 @@ OldMesh TrianglesOf(const TriangulatedSource& source, const std::vector<TupleMix
   {
     const Id* corners = source.Triangles.data() + k;
     const bool isMasked = std::any_of(corners, corners + 3,
-      [mask, &origins](Id corner)
-      { return IsMasked(mask, origins[static_cast<std::size_t>(corner)]); });
+      [mask, &origins](Id corner) { return IsMasked(mask, origins[corner]); });
     const double area = AreaOfTriangle(mesh.Points, corners);
     if (!isMasked && area != 0.0 && std::isfinite(area))
     {
@@ -121,11 +120,7 @@ FoundPlaces PlacesInCells(
   {
     return found;
   }
-  Box2 bounds;
-  for (const Id corner : mesh.Corners)
-  {
-    bounds.Add(mesh.Points[corner]);
-  }
+  const Box2 bounds = Box2::Around(mesh.Points, mesh.Corners);
   std::vector<Id> all(static_cast<std::size_t>(mesh.NumberOfTriangles()));
   std::iota(all.begin(), all.end(), 0);
   const std::vector<OldPlace> olds = FindOldPlaces(mesh, all, places, pulse);
@@ -137,7 +132,7 @@ FoundPlaces PlacesInCells(
     {
       const Id vertex = mesh.Corners[3 * olds[k].Triangle + static_cast<Id>(corner)];
       const double weight = olds[k].Weights[corner];
-      const TupleMix& origin = origins[static_cast<std::size_t>(vertex)];
+      const TupleMix& origin = origins[vertex];
       place = place + weight * mesh.Points[vertex];
       for (std::size_t point = 0; point < origin.Size; ++point)
       {

@@ -8,6 +8,7 @@
 
 #include <algorithm> // for min, max
 #include <limits>    // for an empty box
+#include <vector>    // for points
 
 namespace biting
 {
@@ -24,6 +25,30 @@ struct Box
   {
     Box box{ a, a };
     box.Add(b);
+    return box;
+  }
+
+  /// The smallest one with all of `points`.
+  template <typename Points>
+  static Box Around(const Points& points)
+  {
+    Box box;
+    for (const Point<D>& point : points)
+    {
+      box.Add(point);
+    }
+    return box;
+  }
+
+  /// The smallest one with those of `points` that `ids` number.
+  template <typename Ids>
+  static Box Around(const std::vector<Point<D>>& points, const Ids& ids)
+  {
+    Box box;
+    for (const auto id : ids)
+    {
+      box.Add(points[id]);
+    }
     return box;
   }
 

@@ -205,7 +205,7 @@ std::vector<typename BoxTree<Item, D>::Branch> BoxTree<Item, D>::SplitAll(
       Halve(branches[k], node.Box, entries);
       node.First = below[2 * k].Node;
       node.Count = 0;
-      this->Nodes[static_cast<std::size_t>(branches[k].Node)] = node;
+      this->Nodes[branches[k].Node] = node;
     });
   return below;
 }
@@ -221,7 +221,7 @@ void BoxTree<Item, D>::Graft(const Branch& branch, const std::vector<Node>& node
     node.First += node.Count == 0 ? shift : 0;
     if (k == 0)
     {
-      this->Nodes[static_cast<std::size_t>(branch.Node)] = node;
+      this->Nodes[branch.Node] = node;
     }
     else
     {
@@ -290,7 +290,7 @@ void BoxTree<Item, D>::BuildBelow(
     std::sort(entries.begin() + branch.First, entries.begin() + branch.Last,
       [](const Entry& a, const Entry& b) { return a.Number < b.Number; });
   }
-  nodes[static_cast<std::size_t>(branch.Node)] = node;
+  nodes[branch.Node] = node;
 }
 
 template <typename Item, std::size_t D>
@@ -298,17 +298,17 @@ template <typename Visit>
 void BoxTree<Item, D>::SearchBelow(
   Id id, double bound, const Point<D>& x, double slope, double& limit, Visit& visit) const
 {
-  const Node& node = this->Nodes[static_cast<std::size_t>(id)];
+  const Node& node = this->Nodes[id];
   for (Id k = 0; k < node.Count && bound < limit; ++k)
   {
-    limit = visit(this->Ordered[static_cast<std::size_t>(node.First + k)], limit);
+    limit = visit(this->Ordered[node.First + k], limit);
   }
   if (node.Count == 0 && bound < limit)
   {
     Id near = node.First;
     Id far = near + 1;
-    double nearBound = this->Nodes[static_cast<std::size_t>(near)].Bound(x, slope);
-    double farBound = this->Nodes[static_cast<std::size_t>(far)].Bound(x, slope);
+    double nearBound = this->Nodes[near].Bound(x, slope);
+    double farBound = this->Nodes[far].Bound(x, slope);
     if (farBound < nearBound)
     {
       std::swap(near, far);

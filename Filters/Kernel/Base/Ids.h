@@ -5,6 +5,7 @@
 #define BitingIds_h
 
 #include <cstdint> // for int32_t
+#include <limits>  // for the largest number
 
 namespace biting
 {
@@ -13,6 +14,10 @@ namespace biting
 using Id = std::int32_t;
 
 constexpr Id NoId = -1;
+
+/// Of a mesh in one process: half-edges are to have ids, four a triangle and so eight a vertex, and
+/// so are those of vertices that come late: an eighth is room enough.
+constexpr Id MostVerticesInIds = std::numeric_limits<Id>::max() / 9;
 
 } // namespace biting
 

@@ -3,8 +3,7 @@
 
 #include "Tasks.h"
 
-#include "Executor.h"
-#include "PartOfStage.h"
+#include "Monitor.h"
 
 #include <atomic>    // for what threads share
 #include <exception> // for what tasks throw

@@ -362,9 +362,7 @@ BiteOutline::Interval BiteOutline::ArcWithin(int side, const Interval& gap, cons
 {
   const Point2 first = this->At(side, gap.Low);
   const Point2 last = this->At(side, gap.High);
-  Box2 hull;
-  hull.Add(first);
-  hull.Add(last);
+  Box2 hull = Box2::Around(first, last);
   hull.Grow(0.5 * Distance(first, last) + BoxMargin * this->HalfWidth);
   return hull.Meets(box) ? gap : Interval{ gap.High, gap.Low };
 }

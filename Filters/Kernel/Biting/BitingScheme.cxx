@@ -4,10 +4,9 @@
 #include "BitingScheme.h"
 
 #include "BitingState.h"
-#include "EdgeProtection.h"
+#include "BoundaryProtection.h"
 #include "FrontTrace.h"
 #include "InteriorBiting.h"
-#include "VertexProtection.h"
 
 #include <utility> // for move
 

@@ -127,11 +127,8 @@ void FrontTracer::KeepInside(const Point2& p, const Point2& q)
 
 std::vector<double> FrontTracer::BoundaryCrossings(const Point2& p, const Point2& q) const
 {
-  Box2 box;
-  box.Add(p);
-  box.Add(q);
   std::vector<double> crossings;
-  this->Locator.VisitSegments(box,
+  this->Locator.VisitSegments(Box2::Around(p, q),
     [&](Id segment)
     {
       const Point2& a = this->Geometry.Vertices[this->Geometry.Starts[segment]];

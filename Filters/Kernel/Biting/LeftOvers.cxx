@@ -146,12 +146,7 @@ void LeftOvers::Begin()
 
 Box2 LeftOvers::BoxOf(Id triangle) const
 {
-  Box2 box;
-  for (const Point2& p : this->PlacesOf(triangle))
-  {
-    box.Add(p);
-  }
-  return box;
+  return Box2::Around(this->PlacesOf(triangle));
 }
 
 std::array<Id, 3> LeftOvers::BitesOf(Id triangle) const

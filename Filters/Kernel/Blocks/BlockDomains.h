@@ -6,9 +6,9 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Monitor.h"
+#include "../Base/Pulse.h"
 #include "../Domain/Domain.h"
 #include "../Spacing/Spacing.h"
-#include "CutDivision.h"
 #include "CutGraph.h"
 #include "CutPlan.h"
 
@@ -18,6 +18,20 @@
 
 namespace biting
 {
+
+/// The wanted length of the parts of cuts.
+struct CutDivision
+{
+  double BitingConstant = 0.0;
+  double PartLength = 1.0;
+  Id MostVertices = 0;
+};
+
+/// Divides all cuts, as segments of the domain are divided. A folded cut has an odd number of
+/// vertices. The first, third, fifth lie half a part's length to its left, in the rows of the
+/// lattice that both sides make (CutRows.h). False where more than MostVertices are needed, and
+/// where the monitor wants to stop.
+bool DivideCuts(const Spacing& spacing, const CutDivision& wanted, CutGraph& graph, Pulse& pulse);
 
 /// A part of a domain as a domain of its own. Its cuts are boundary, and preserved: parts of the
 /// length that the mesh wants, with vertices that both sides share.

@@ -3,10 +3,9 @@
 
 #include "BlockMesher.h"
 
-#include "../Base/PartOfStage.h"
+#include "../Base/Monitor.h"
 #include "../Base/Tasks.h"
-#include "../Stages/RelaxedBites.h"
-#include "../Stages/SoundTriangulation.h"
+#include "../Stages/MeshedBites.h"
 #include "../Stages/StageProblems.h"
 #include "CutPlan.h"
 #include "StripParts.h"
@@ -137,7 +136,7 @@ void BlockMesher::Plan(const DomainLocator& locator, double vertices, double ver
   const auto members = static_cast<std::size_t>(this->Members.Size());
   this->Shares =
     ShareBlocks(this->Own.Parts.Blocks, DealLeaves(this->Tree, static_cast<Id>(members)), members);
-  this->LargestFirst = this->Shares[static_cast<std::size_t>(this->Members.Own())];
+  this->LargestFirst = this->Shares[this->Members.Own()];
   const bool isRefused = RefuseLargeShares(
     this->Shares, this->Own.Parts.Blocks, this->Expected, this->MostOfMember, problems);
   if (!isRefused && !this->IsHelping() && members > 1)

@@ -5,9 +5,8 @@
 #define BitingBlockMesher_h
 
 #include "../Base/Crew.h"
+#include "../Base/Ids.h"
 #include "../Base/Monitor.h"
-#include "../Base/MostVertices.h"
-#include "../Base/PartOfStage.h"
 #include "../Base/Problem.h"
 #include "../Biting/BitingScheme.h"
 #include "../Delaunay/Triangulation.h"

@@ -3,11 +3,11 @@
 
 #include "CutStrip.h"
 
-#include "../Base/PartOfStage.h"
+#include "../Base/Monitor.h"
 #include "../Base/Pulse.h"
 #include "../Base/Tasks.h"
 #include "../Relaxation/Relaxation.h"
-#include "../Stages/RelaxedBites.h" // for Exchange
+#include "../Stages/MeshedBites.h" // for Exchange
 #include "StripParts.h"
 #include "StripReturn.h"
 #include "TakenStrip.h"

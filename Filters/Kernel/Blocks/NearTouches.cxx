@@ -31,16 +31,6 @@ constexpr std::size_t MostPairs = 1000; // and one a segment
 class TouchSearch
 {
 public:
-  TouchSearch(const Domain& domain, const std::vector<SegmentEnds>& segments, double reach,
-    NearTouches& touches, Pulse& pulse)
-    : Geometry(domain)
-    , Segments(segments)
-    , Reach(reach)
-    , Found(touches)
-    , Beats(pulse)
-  {
-  }
-
   bool GoesOn() { return !this->Found.AreEverywhere && this->Beats.Beat(); }
   void SetFraction(double fraction) { this->Beats.SetFraction(fraction); }
 
@@ -55,6 +45,12 @@ public:
     }
   }
 
+  const Domain& Geometry;
+  const std::vector<SegmentEnds>& Segments;
+  double Reach;
+  NearTouches& Found;
+  Pulse& Beats;
+
 private:
   bool IsLong(const NearTouches& touches) const
   {
@@ -68,19 +64,13 @@ private:
     return DistanceToSegment(this->Geometry.Vertices[one.Start], a, b) <= this->Reach ||
       DistanceToSegment(this->Geometry.Vertices[one.End], a, b) <= this->Reach;
   }
-
-  const Domain& Geometry;
-  const std::vector<SegmentEnds>& Segments;
-  double Reach;
-  NearTouches& Found;
-  Pulse& Beats;
 };
 
 void AddNearSegments(const Domain& domain, double reach, NearTouches& touches, Pulse& pulse)
 {
   const std::vector<SegmentEnds> segments = SegmentsAndPoints(domain);
   const SegmentTree tree(domain.Vertices, segments, reach, pulse);
-  TouchSearch search(domain, segments, reach, touches, pulse);
+  TouchSearch search{ domain, segments, reach, touches, pulse };
   if (!pulse.HasStopped())
   {
     tree.VisitPairs(std::vector<std::uint8_t>(segments.size(), 1), search);

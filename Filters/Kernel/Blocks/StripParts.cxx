@@ -155,7 +155,7 @@ std::vector<TriangleList> DivideIntoParts(
     if (ofVertices[corners[0]] == part && ofVertices[corners[1]] == part &&
       ofVertices[corners[2]] == part)
     {
-      parts[static_cast<std::size_t>(part)].push_back(static_cast<Id>(triangle));
+      parts[part].push_back(static_cast<Id>(triangle));
     }
   }
   return parts;
@@ -181,7 +181,7 @@ std::vector<TriangleList> ConnectedParts(
       number = static_cast<Id>(parts.size());
       parts.emplace_back();
     }
-    parts[static_cast<std::size_t>(number)].push_back(triangles[k]);
+    parts[number].push_back(triangles[k]);
   }
   return parts;
 }

@@ -4,7 +4,6 @@
 #include "ConstrainedMesh.h"
 
 #include "../Base/DisjointSets.h"
-#include "../Base/Prefetch.h"
 #include "../Base/SortInSteps.h"
 
 #include <algorithm> // for lower_bound, max, max_element, min
@@ -23,6 +22,14 @@ constexpr double BorderEnd = 0.27;
 constexpr double RegionsEnd = 0.28;
 constexpr double CountsEnd = 0.45;
 constexpr double NumbersEnd = 0.65;
+
+/// Begins to bring what is at the address into the cache, where the compiler knows how to.
+void Prefetch([[maybe_unused]] const void* address)
+{
+#ifdef __GNUC__
+  __builtin_prefetch(address);
+#endif
+}
 
 /// A half-edge with a mark, and what decides when one comes to it along the constraints.
 struct BorderEdge

@@ -83,7 +83,7 @@ constexpr HilbertTable MakeHilbertTable()
     {
       place = 4 * place + HilbertDigit((entry >> (4 + bit)) & 1, (entry >> bit) & 1, state);
     }
-    table[static_cast<std::size_t>(entry)] = static_cast<std::uint16_t>(256 * state + place);
+    table[entry] = static_cast<std::uint16_t>(256 * state + place);
   }
   return table;
 }
@@ -322,7 +322,7 @@ private:
 
   const Point<D>& PointAt(std::size_t position) const
   {
-    return this->Points[static_cast<std::size_t>(this->Order[position])];
+    return this->Points[this->Order[position]];
   }
 
   const std::vector<Point<D>>& Points;

@@ -22,15 +22,33 @@ public:
   }
 
   /// Adds the segment from `start` to `end`, with the area on its left.
-  void Add(const Point2& start, const Point2& end);
+  void Add(const Point2& start, const Point2& end)
+  {
+    const DoubleDouble startX = TwoDifference(start.X, this->Reference.X);
+    const DoubleDouble startY = TwoDifference(start.Y, this->Reference.Y);
+    const DoubleDouble endX = TwoDifference(end.X, this->Reference.X);
+    const DoubleDouble endY = TwoDifference(end.Y, this->Reference.Y);
+    this->AddProduct(startX.High, endY.High);
+    this->AddProduct(-startY.High, endX.High);
+    this->Sum.AddLost(startX.High * endY.Low + startX.Low * endY.High);
+    this->Sum.AddLost(-(startY.High * endX.Low + startY.Low * endX.High));
+  }
 
   /// Adds the area of another sum, whatever its sign.
-  void AddMagnitude(const AreaSum& other);
+  void AddMagnitude(const AreaSum& other)
+  {
+    this->Sum.Join(other.Sum, other.Area() < 0.0 ? -1.0 : 1.0);
+  }
 
   double Area() const { return 0.5 * this->Sum.Value(); }
 
 private:
-  void AddProduct(double a, double b);
+  void AddProduct(double a, double b)
+  {
+    const DoubleDouble product = TwoProduct(a, b);
+    this->Sum.Add(product.High);
+    this->Sum.AddLost(product.Low);
+  }
 
   Point2 Reference;
   CompensatedSum Sum;

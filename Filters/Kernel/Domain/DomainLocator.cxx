@@ -52,13 +52,10 @@ bool PassesBox(const Domain& domain, Id segment, const Box2& box)
   const Point2& b = domain.Vertices[domain.Ends[segment]];
   Box2 grown = box;
   grown.Grow(CellMargin * box.Width() + domain.Resolution);
-  Box2 span;
-  span.Add(a);
-  span.Add(b);
   const Point2 direction = b - a;
   const double reach =
     0.5 * (std::abs(direction.X) * grown.Height() + std::abs(direction.Y) * grown.Width());
-  return grown.Meets(span) &&
+  return grown.Meets(Box2::Around(a, b)) &&
     std::abs(Cross(direction, grown.Center() - a)) <= reach * (1.0 + CellMargin);
 }
 
@@ -75,21 +72,8 @@ bool Separates(const Domain& domain, Id segment, const Point2& p, const Point2& 
 
 } // namespace
 
-DomainLocator::DomainLocator(const Domain& domain)
-  : Geometry(domain)
-{
-  SilentMonitor monitor;
-  Pulse pulse(monitor);
-  this->Build(pulse);
-}
-
 DomainLocator::DomainLocator(const Domain& domain, Pulse& pulse)
   : Geometry(domain)
-{
-  this->Build(pulse);
-}
-
-void DomainLocator::Build(Pulse& pulse)
 {
   this->MakeGrid(pulse);
   this->SetReferences(pulse);

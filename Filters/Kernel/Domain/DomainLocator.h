@@ -27,8 +27,6 @@ namespace biting
 class DomainLocator
 {
 public:
-  explicit DomainLocator(const Domain& domain);
-
   /// Where the monitor wants to stop, the answers are of no use.
   DomainLocator(const Domain& domain, Pulse& pulse);
 
@@ -57,7 +55,6 @@ private:
     Point2 Reference;
   };
 
-  void Build(Pulse& pulse);
   void MakeGrid(Pulse& pulse);
   void FileSegments(Pulse& pulse);
   template <typename Visit>

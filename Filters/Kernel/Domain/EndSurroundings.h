@@ -63,8 +63,7 @@ public:
   template <typename Visitor>
   void VisitNear(const Point2& place, double reach, Visitor&& visit) const
   {
-    Box2 box;
-    box.Add(place);
+    Box2 box = Box2::Around(place, place);
     box.Grow(reach);
     this->Tree.Visit(box, SegmentEnds(), visit);
   }

@@ -398,9 +398,8 @@ void MeetingFinder::TestLooseVertices()
     {
       continue;
     }
-    Box2 place;
-    place.Add(this->Input.At(vertex));
-    this->Edges.Tree.Visit(place, SegmentEnds(),
+    const Point2& place = this->Input.At(vertex);
+    this->Edges.Tree.Visit(Box2::Around(place, place), SegmentEnds(),
       [this, vertex](Id edge)
       {
         if (this->TestVertex(edge, vertex))

@@ -393,13 +393,8 @@ bool CrossTooOften(const std::vector<ChainSegment>& segments, const std::vector<
 
 SpacingAtEnds::SpacingAtEnds(const DomainOptions& options, const std::vector<Point2>& vertices)
   : Options(options)
+  , Largest(Box2::Around(vertices).Diagonal())
 {
-  Box2 box;
-  for (const Point2& place : vertices)
-  {
-    box.Add(place);
-  }
-  this->Largest = box.Diagonal();
 }
 
 double SpacingAtEnds::operator()(const Point2& place) const

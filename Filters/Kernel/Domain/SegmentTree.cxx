@@ -58,14 +58,6 @@ private:
   Pulse& Beats;
 };
 
-SegmentTree::SegmentTree(
-  const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, double margin)
-{
-  SilentMonitor monitor;
-  Pulse pulse(monitor);
-  *this = SegmentTree(points, segments, margin, pulse);
-}
-
 SegmentTree::SegmentTree(const std::vector<Point2>& points,
   const std::vector<SegmentEnds>& segments, const Margins& margins, Pulse& pulse)
 {
@@ -93,8 +85,7 @@ void SegmentTree::Builder::FileItems(
     const Point2& start = points[ends.Start];
     const Point2& end = points[ends.End];
     item.Shortest = LengthOf(start, end);
-    item.Bounds.Add(start);
-    item.Bounds.Add(end);
+    item.Bounds = Box2::Around(start, end);
     item.Bounds.Grow(this->Tree.Grown.Of(item.Shortest));
     item.Ends = ends;
     item.Segment = static_cast<Id>(this->Tree.Items.size());

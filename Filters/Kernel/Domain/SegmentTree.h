@@ -69,8 +69,6 @@ public:
   /// Where the monitor wants to stop, the tree is left unfinished: not to be asked.
   SegmentTree(const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments,
     const Margins& margins, Pulse& pulse);
-  SegmentTree(
-    const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, double margin);
 
   /// Calls visit(segment) for each segment without an end in `skipped` that may come within its
   /// margin of `extent`, at least all that do. The order is that of the tree.

@@ -7,7 +7,8 @@
 #include "../Base/Box.h"
 #include "../Base/Point.h"
 
-#include <cmath> // for abs
+#include <algorithm> // for min, max
+#include <cmath>     // for abs
 
 namespace biting
 {
@@ -34,11 +35,10 @@ struct SlantedBox
 
   /// Around a segment.
   SlantedBox(const Point2& start, const Point2& end)
-    : Center(Midpoint(start, end))
+    : Bounds(Box2::Around(start, end))
+    , Center(Midpoint(start, end))
     , Along(0.5 * Distance(start, end))
   {
-    this->Bounds.Add(start);
-    this->Bounds.Add(end);
     this->Axis = this->Along > 0.0 ? (0.5 / this->Along) * (end - start) : this->Axis;
   }
 
@@ -62,7 +62,27 @@ struct SlantedBox
 
   /// Makes the slanted box the smallest around those of both, along the axis of the longer one; the
   /// box along the axes is left as it is.
-  void SlantAround(const SlantedBox& first, const SlantedBox& second);
+  void SlantAround(const SlantedBox& first, const SlantedBox& second)
+  {
+    const Point2 axis = first.Along >= second.Along ? first.Axis : second.Axis;
+    const Point2 normal = Perpendicular(axis);
+    const Point2 gap = second.Center - first.Center;
+    const auto span = [&first, &second, &gap](const Point2& direction)
+    {
+      const double place = Dot(direction, gap);
+      const double reach = first.ReachIn(direction);
+      const double other = second.ReachIn(direction);
+      const double low = std::min(-reach, place - other);
+      const double high = std::max(reach, place + other);
+      return Point2{ 0.5 * (low + high), 0.5 * (high - low) };
+    };
+    const Point2 along = span(axis);
+    const Point2 across = span(normal);
+    this->Center = first.Center + along.X * axis + across.X * normal;
+    this->Axis = axis;
+    this->Along = along.Y;
+    this->Across = across.Y;
+  }
 };
 
 } // namespace biting

@@ -52,14 +52,6 @@ std::vector<Id> CountDegrees(std::size_t vertices, const std::vector<SegmentEnds
 } // namespace
 
 VertexStars::VertexStars(
-  const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments)
-{
-  SilentMonitor monitor;
-  Pulse pulse(monitor);
-  *this = VertexStars(points, segments, pulse);
-}
-
-VertexStars::VertexStars(
   const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, Pulse& pulse)
   : Offsets(CountDegrees(points.size(), segments))
   , Segments(2 * segments.size())

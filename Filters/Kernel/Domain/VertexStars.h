@@ -31,7 +31,6 @@ public:
   /// Where the monitor wants to stop, the order is not yet that.
   VertexStars(
     const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, Pulse& pulse);
-  VertexStars(const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments);
 
   Id NumberOfVertices() const { return static_cast<Id>(this->Offsets.size()) - 1; }
   const Id* Begin(Id vertex) const { return this->Segments.data() + this->Offset(vertex); }

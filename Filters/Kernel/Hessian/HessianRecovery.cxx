@@ -35,7 +35,7 @@ IdLists Distribute(const CellsView& view)
       {
         for (Id k = view.Offsets[cell]; k < view.Offsets[cell + 1]; ++k)
         {
-          add(view.Corners[static_cast<std::size_t>(k)], static_cast<Id>(cell));
+          add(view.Corners[k], static_cast<Id>(cell));
         }
       }
     });
@@ -75,7 +75,7 @@ void PatchWalk::Start(Id point)
 {
   this->Patch.assign(1, point);
   this->RingBegin = 0;
-  this->LastStart[static_cast<std::size_t>(point)] = point;
+  this->LastStart[point] = point;
 }
 
 bool PatchWalk::Grow()
@@ -96,14 +96,13 @@ void PatchWalk::AddCell(Id cell)
 {
   const Id start = this->Patch.front();
   const Id end = this->View.Offsets[static_cast<std::size_t>(cell) + 1];
-  for (Id k = this->View.Offsets[static_cast<std::size_t>(cell)]; k < end; ++k)
+  for (Id k = this->View.Offsets[cell]; k < end; ++k)
   {
-    const Id corner = this->View.Corners[static_cast<std::size_t>(k)];
-    const auto slot = static_cast<std::size_t>(corner);
-    if (this->LastStart[slot] != start && this->Patch.size() < MostPatchPoints &&
-      std::isfinite(this->Values[slot]))
+    const Id corner = this->View.Corners[k];
+    if (this->LastStart[corner] != start && this->Patch.size() < MostPatchPoints &&
+      std::isfinite(this->Values[corner]))
     {
-      this->LastStart[slot] = start;
+      this->LastStart[corner] = start;
       this->Patch.push_back(corner);
     }
   }
@@ -150,10 +149,10 @@ bool QuadraticFit::Fit(
     return false;
   }
   // Differences to the value of the point itself: what they have in common is not rounded.
-  const double own = values[static_cast<std::size_t>(patch.front())];
+  const double own = values[patch.front()];
   for (std::size_t k = 0; k < this->Count; ++k)
   {
-    this->Residual[k] = values[static_cast<std::size_t>(patch[k])] - own;
+    this->Residual[k] = values[patch[k]] - own;
   }
   this->FillColumns();
   if (!this->Orthogonalize())
@@ -167,12 +166,12 @@ bool QuadraticFit::Fit(
 // Leaves u and v in columns 1 and 2; false where the points are on a line.
 bool QuadraticFit::ReadPlaces(const std::vector<Point2>& points, const std::vector<Id>& patch)
 {
-  const Point2& own = points[static_cast<std::size_t>(patch.front())];
+  const Point2& own = points[patch.front()];
   Column& u = this->Columns[1];
   Column& v = this->Columns[2];
   for (std::size_t k = 0; k < this->Count; ++k)
   {
-    const Point2 offset = points[static_cast<std::size_t>(patch[k])] - own;
+    const Point2 offset = points[patch[k]] - own;
     u[k] = offset.X;
     v[k] = offset.Y;
   }
@@ -290,7 +289,7 @@ Hessian2 RecoverAt(Id point, const CellsView& cells, const std::vector<double>& 
 {
   walk.Start(point);
   bool isFitted = false;
-  const bool isKnown = std::isfinite(values[static_cast<std::size_t>(point)]);
+  const bool isKnown = std::isfinite(values[point]);
   for (int ring = 0; ring < MostRings && isKnown && !isFitted && walk.Grow(); ++ring)
   {
     isFitted = fit.Fit(cells, values, walk.Points());
@@ -330,10 +329,9 @@ std::vector<double> WithThoseAround(
   {
     for (const Id cell : atPoint[point])
     {
-      const auto first = static_cast<std::size_t>(cell);
-      for (Id k = cells.Offsets[first]; k < cells.Offsets[first + 1]; ++k)
+      for (Id k = cells.Offsets[cell]; k < cells.Offsets[cell + 1]; ++k)
       {
-        visit(static_cast<std::size_t>(cells.Corners[static_cast<std::size_t>(k)]));
+        visit(static_cast<std::size_t>(cells.Corners[k]));
       }
     }
   };
@@ -342,7 +340,7 @@ std::vector<double> WithThoseAround(
     std::vector<Id> next;
     for (const Id point : ring)
     {
-      const double norm = norms[static_cast<std::size_t>(point)];
+      const double norm = norms[point];
       forEachCorner(point,
         [&values, &norms, &found, &next, norm](std::size_t corner)
         {
@@ -359,7 +357,7 @@ std::vector<double> WithThoseAround(
     }
     for (const Id point : next)
     {
-      norms[static_cast<std::size_t>(point)] = found[static_cast<std::size_t>(point)];
+      norms[point] = found[point];
     }
     ring.swap(next);
   }

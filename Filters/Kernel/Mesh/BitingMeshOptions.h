@@ -4,9 +4,9 @@
 #ifndef BitingMeshOptions_h
 #define BitingMeshOptions_h
 
-#include "../Base/MostVertices.h"
+#include "../Base/Ids.h"
 #include "../Biting/Bites.h"
-#include "../Biting/CandidateQueue.h" // for FrontOrder
+#include "../Biting/FrontOrder.h" // for FrontOrder
 #include "../Domain/Domain.h"
 #include "../Simplification/Simplification.h"
 #include "../Spacing/Spacing.h"
@@ -32,7 +32,7 @@ struct BitingMeshOptions
   std::vector<Point2> PeriodicTranslations;
 
   /// Which input cells are cracks: the mesh is cut along their interfaces
-  /// (Stages/OpenedInterfaces.h). May be empty. With it, with translations, and with
+  /// (Stages/MeshAssembly.h). May be empty. With it, with translations, and with
   /// DomainOptions::KeepCellEdges no crew shares the mesh.
   std::function<bool(Id)> Opens;
 

@@ -5,7 +5,7 @@
 #define BitingCrewRounds_h
 
 #include "../Base/Crew.h"
-#include "../Base/PartOfStage.h"
+#include "../Base/Monitor.h"
 
 #include <cstddef> // for members
 #include <new>     // for bad_alloc

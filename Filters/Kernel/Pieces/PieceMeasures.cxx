@@ -60,18 +60,14 @@ Report UnpackReport(const Bytes& bytes)
 class PieceMeasurer
 {
 public:
-  PieceMeasurer(const MeasuredPiece& piece, CrewRounds& rounds, BitingMesh& mesh, ExactSum& density,
-    ProblemList& problems, PartOfStage& part)
-    : Piece(piece)
-    , Rounds(rounds)
-    , Mesh(mesh)
-    , Density(density)
-    , Problems(problems)
-    , Part(part)
-  {
-  }
-
   bool Measure() { return this->CompareReports() && this->AddUp(); }
+
+  const MeasuredPiece& Piece;
+  CrewRounds& Rounds;
+  BitingMesh& Mesh;
+  ExactSum& Density;
+  ProblemList& Problems;
+  PartOfStage& Part;
 
 private:
   Report Look()
@@ -212,13 +208,6 @@ private:
     writer.Put(density);
     return std::move(writer.Bytes);
   }
-
-  const MeasuredPiece& Piece;
-  CrewRounds& Rounds;
-  BitingMesh& Mesh;
-  ExactSum& Density;
-  ProblemList& Problems;
-  PartOfStage& Part;
 };
 
 } // namespace
@@ -226,7 +215,7 @@ private:
 bool MeasurePieces(const MeasuredPiece& piece, CrewRounds& rounds, BitingMesh& mesh,
   ExactSum& density, ProblemList& problems, PartOfStage& part)
 {
-  return PieceMeasurer(piece, rounds, mesh, density, problems, part).Measure();
+  return PieceMeasurer{ piece, rounds, mesh, density, problems, part }.Measure();
 }
 
 } // namespace biting

@@ -5,7 +5,7 @@
 #define BitingPieceMeasures_h
 
 #include "../Base/Ids.h"
-#include "../Base/PartOfStage.h"
+#include "../Base/Monitor.h"
 #include "../Base/Problem.h"
 #include "../Domain/Domain.h"
 #include "../Mesh/BitingMesh.h"

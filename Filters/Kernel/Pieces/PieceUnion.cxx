@@ -136,7 +136,7 @@ private:
     for (Id triangle = 0; triangle < mesh.NumberOfTriangles() && this->Beats.Beat(); ++triangle)
     {
       if (static_cast<std::size_t>(taken) < numbers.TakenTriangles.size() &&
-        numbers.TakenTriangles[static_cast<std::size_t>(taken)] == triangle)
+        numbers.TakenTriangles[taken] == triangle)
       {
         ++taken;
       }

@@ -21,7 +21,7 @@ Histogram MakeHistogram(
     if (!std::isnan(value))
     {
       const double bin = std::max(0.0, std::min((value - low) / width, numberOfBins - 1.0));
-      ++counts[static_cast<std::size_t>(bin)];
+      ++counts[bin];
       ++total;
     }
   }
@@ -30,8 +30,7 @@ Histogram MakeHistogram(
   for (int bin = 0; bin < numberOfBins; ++bin)
   {
     histogram.Centers.push_back(low + (bin + 0.5) * width);
-    histogram.Percents.push_back(
-      share * static_cast<double>(counts[static_cast<std::size_t>(bin)]));
+    histogram.Percents.push_back(share * static_cast<double>(counts[bin]));
   }
   return histogram;
 }

@@ -46,8 +46,8 @@ std::string EdgeText(const MeshCheckInput& mesh, std::size_t slot)
 {
   const Id startId = mesh.Corners[NextSlotOf(slot)];
   const Id endId = mesh.Corners[PreviousSlotOf(slot)];
-  const Point2& start = mesh.Points[static_cast<std::size_t>(startId)];
-  const Point2& end = mesh.Points[static_cast<std::size_t>(endId)];
+  const Point2& start = mesh.Points[startId];
+  const Point2& end = mesh.Points[endId];
   std::ostringstream text;
   text << "edge " << startId << " - " << endId << " of triangle " << slot / 3 << ", (" << start.X
        << ", " << start.Y << ") - (" << end.X << ", " << end.Y << ")";

@@ -3,8 +3,8 @@
 
 #include "Quality.h"
 
+#include "../Base/Monitor.h"
 #include "../Base/Numbers.h"
-#include "../Base/PartOfStage.h"
 #include "../Base/Pulse.h"
 #include "../Base/Tasks.h"
 
@@ -37,7 +37,7 @@ public:
 
   void Lower(Id vertex, double value)
   {
-    std::atomic<double>& least = this->Values[static_cast<std::size_t>(vertex)];
+    std::atomic<double>& least = this->Values[vertex];
     double known = least.load(std::memory_order_relaxed);
     while (value < known && !least.compare_exchange_weak(known, value, std::memory_order_relaxed))
     {
@@ -227,7 +227,7 @@ QualitySums SumTriangles(
     [&mesh, &quality, &shortest](QualitySums& sum, std::size_t t)
     {
       const auto place = [&mesh, t](std::size_t corner) -> const Point2&
-      { return mesh.Points[static_cast<std::size_t>(mesh.Corners[3 * t + corner])]; };
+      { return mesh.Points[mesh.Corners[3 * t + corner]]; };
       const std::array<double, 3> squares = SquaredSides(place(0), place(1), place(2));
       const Shape shape = ShapeOf(squares, Cross(place(1) - place(0), place(2) - place(0)));
       for (std::size_t k = 0; k < 3; ++k)
@@ -362,7 +362,7 @@ std::vector<double> AnglesOf(const MeshView& mesh, Monitor& monitor)
     [&mesh, &angles](std::size_t slot)
     {
       const EdgeEnds ends = EndsOf(mesh, slot);
-      const Point2& apex = mesh.Points[static_cast<std::size_t>(mesh.Corners[slot])];
+      const Point2& apex = mesh.Points[mesh.Corners[slot]];
       const Point2 first = mesh.Points[ends.Start] - apex;
       const Point2 second = mesh.Points[ends.End] - apex;
       angles.push_back(

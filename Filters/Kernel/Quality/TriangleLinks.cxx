@@ -28,7 +28,7 @@ void LinkEdge(const EdgeSlot* begin, const EdgeSlot* end, TriangleLinks& links)
     const Id slot = edge->second;
     const Id across = (isLast ? *begin : edge[1]).second / 3;
     const bool isAlone = isLast && across == slot / 3;
-    links.Neighbors[static_cast<std::size_t>(slot)] = isAlone ? NoId : across;
+    links.Neighbors[slot] = isAlone ? NoId : across;
   }
   if (end - begin > 2)
   {
@@ -49,15 +49,15 @@ TriangleLinks LinkTriangles(const std::vector<Id>& corners, Id numberOfPoints)
   std::vector<Id> offsets(static_cast<std::size_t>(numberOfPoints) + 1, 0);
   for (std::size_t slot = 0; slot < corners.size(); ++slot)
   {
-    ++offsets[static_cast<std::size_t>(endsOf(slot).first)];
+    ++offsets[endsOf(slot).first];
   }
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   std::vector<EdgeSlot> edges(corners.size());
   for (std::size_t slot = 0; slot < corners.size(); ++slot)
   {
     const auto [smaller, larger] = endsOf(slot);
-    const Id place = --offsets[static_cast<std::size_t>(smaller)];
-    edges[static_cast<std::size_t>(place)] = { larger, static_cast<Id>(slot) };
+    const Id place = --offsets[smaller];
+    edges[place] = { larger, static_cast<Id>(slot) };
   }
   for (std::size_t point = 0; point + 1 < offsets.size(); ++point)
   {

@@ -53,16 +53,16 @@ public:
 
   std::vector<Hanging> Find()
   {
-    const SegmentTree tree(this->Mesh.Points, this->Edges, this->Nearest);
+    Pulse pulse(NoMonitor());
+    const SegmentTree tree(this->Mesh.Points, this->Edges, this->Nearest, pulse);
     for (const auto& [vertex, beside] : this->ListEnds())
     {
-      Box2 box;
-      box.Add(this->Mesh.Points[vertex]);
+      const Point2& place = this->Mesh.Points[vertex];
       const Id other =
         this->Mesh.Start(beside) == vertex ? this->Mesh.End(beside) : this->Mesh.Start(beside);
       const Point2 across =
         0.5 * (this->Mesh.Points[this->Mesh.Corners[beside]] + this->Mesh.Points[other]);
-      tree.Visit(box, { vertex, vertex },
+      tree.Visit(Box2::Around(place, place), { vertex, vertex },
         [this, vertex = vertex, &across](Id edge) { this->Compare(edge, vertex, across); });
     }
     std::sort(this->Found.begin(), this->Found.end());

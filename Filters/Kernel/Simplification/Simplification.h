@@ -55,7 +55,7 @@ struct SimplifiedDomain
 ///   so crossings, touches, nesting, faces and what lies in each are those of `domain`.
 /// - What stays: ends of chains, embedded points, at least three vertices of each loop, and corners
 ///   that turn by CornerAngle or more, seen at some Tolerances' distance (ChainCorners.h).
-/// - Corners: no angle of the inside gets sharp by it where the drawing is blunt (CornerGuard.h).
+/// - Corners: no angle of the inside gets sharp by it where the drawing is blunt (ChainReduction).
 /// - Clearance: a path moves by at most the clearance that remains beside it. It is measured to
 ///   vertices, as the distance of two segments is that of an end of one of them. So a channel keeps
 ///   a share of its width.

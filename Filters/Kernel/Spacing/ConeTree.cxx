@@ -254,7 +254,7 @@ private:
       this->Candidates.end() };
   }
 
-  const Cone<D>& At(Id cone) const { return this->Whole.Cones[static_cast<std::size_t>(cone)]; }
+  const Cone<D>& At(Id cone) const { return this->Whole.Cones[cone]; }
 
   const ConeTree& Whole;
   const double Most;

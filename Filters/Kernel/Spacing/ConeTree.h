@@ -47,12 +47,12 @@ public:
     {
       inside[d] = std::min(std::max(this->Bounds.Low[d], x[d]), this->Bounds.High[d]);
     }
-    const Id* list = &this->Lists[static_cast<std::size_t>(this->Tree.Locate(inside))];
+    const Id* list = &this->Lists[this->Tree.Locate(inside)];
     const Id* end = list + 1 + *list;
     double least = Infinity;
     for (const Id* cone = list + 1; cone < end; ++cone)
     {
-      const double value = this->Cones[static_cast<std::size_t>(*cone)](inside, this->Slope);
+      const double value = this->Cones[*cone](inside, this->Slope);
       least = value < least ? value : least;
     }
     return least;

@@ -105,16 +105,6 @@ bool IsFacing(const Feature& own, const Point2& x, const Feature& other)
     (back > 0.0 ? other.LeftInside : other.RightInside);
 }
 
-double DiagonalOf(const std::vector<Point2>& points)
-{
-  Box2 box;
-  for (const Point2& point : points)
-  {
-    box.Add(point);
-  }
-  return box.Diagonal();
-}
-
 /// What all segments have in common.
 struct CapRule
 {
@@ -352,8 +342,8 @@ FeatureSize::Feature::Feature(const FeatureSource& source, std::size_t segment)
   : SegmentId(static_cast<Id>(segment))
   , StartId(source.Starts[segment])
   , EndId(source.Ends[segment])
-  , Start(source.Points[static_cast<std::size_t>(this->StartId)])
-  , End(source.Points[static_cast<std::size_t>(this->EndId)])
+  , Start(source.Points[this->StartId])
+  , End(source.Points[this->EndId])
   , LeftInside(source.LeftInside[segment] != 0)
   , RightInside(source.RightInside[segment] != 0)
 {
@@ -372,7 +362,7 @@ FeatureSize::FeatureSize(const FeatureSource& source, Pulse& pulse)
   for (std::size_t position = 0; position < this->Positions.size(); ++position)
   {
     const Feature& feature = this->Tree.Items()[position];
-    this->Positions[static_cast<std::size_t>(feature.SegmentId)] = static_cast<Id>(position);
+    this->Positions[feature.SegmentId] = static_cast<Id>(position);
   }
 }
 
@@ -380,8 +370,8 @@ FeatureSize::FeatureSize(const FeatureSource& source, Pulse& pulse)
 double FeatureSize::operator()(Id segment, const Point2& x, double known, double enough) const
 {
   const std::vector<Feature>& features = this->Tree.Items();
-  const Id position = this->Positions[static_cast<std::size_t>(segment)];
-  const Feature& own = features[static_cast<std::size_t>(position)];
+  const Id position = this->Positions[segment];
+  const Feature& own = features[position];
   double least = known;
   const auto look = [&own, &x, &least, enough](const Feature& other, double)
   {
@@ -394,7 +384,7 @@ double FeatureSize::operator()(Id segment, const Point2& x, double known, double
   const Id last = std::min(position + Beside, static_cast<Id>(features.size()) - 1);
   for (Id beside = std::max(position - Beside, Id(0)); beside <= last && least > enough; ++beside)
   {
-    look(features[static_cast<std::size_t>(beside)], least);
+    look(features[beside], least);
   }
   if (least > enough)
   {
@@ -406,8 +396,7 @@ double FeatureSize::operator()(Id segment, const Point2& x, double known, double
 double FeatureSize::Across(Id segment, const Point2& x, double known) const
 {
   const std::vector<Feature>& features = this->Tree.Items();
-  const Feature& own =
-    features[static_cast<std::size_t>(this->Positions[static_cast<std::size_t>(segment)])];
+  const Feature& own = features[this->Positions[static_cast<std::size_t>(segment)]];
   double least = known;
   this->Tree.Search(x, 1.0, least,
     [&own, &x, &least](const Feature& other, double)
@@ -429,7 +418,7 @@ bool AddFeatureSizes(
     ? MakeCones(*source.Drawn, LengthsPerSpacing, given.Gradation, pulse)
     : std::vector<SegmentCone>();
   const CapRule rule{ source, given, FeatureSize(source, pulse),
-    SegmentExtension(drawn, given.Gradation, pulse), DiagonalOf(source.Points) };
+    SegmentExtension(drawn, given.Gradation, pulse), Box2::Around(source.Points).Diagonal() };
   if (!pulse.HasStopped() && !HasTooManyPieces(rule, pulse) && !pulse.HasStopped())
   {
     CapAll(rule, caps, pulse);

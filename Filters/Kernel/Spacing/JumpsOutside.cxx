@@ -102,8 +102,8 @@ private:
     const double rise = this->Rule.Slope * Distance(edge.Start, edge.End);
     return { edge.Start + share * (edge.End - edge.Start), OutwardOf(edge),
       this->Rule.Range((1.0 - share) * edge.StartValue + share * edge.EndValue),
-      std::min(this->Most[static_cast<std::size_t>(edge.StartId)] + share * rise,
-        this->Most[static_cast<std::size_t>(edge.EndId)] + (1.0 - share) * rise) };
+      std::min(
+        this->Most[edge.StartId] + share * rise, this->Most[edge.EndId] + (1.0 - share) * rise) };
   }
 
   /// A share of a spacing, less where the slope is large.
@@ -329,20 +329,19 @@ void AddJumpsOutside(const TriangleInterpolator& source, const std::vector<doubl
   for (const BorderEdge& edge : border)
   {
     // Where the border ends, by triangles on each other, an edge follows itself.
-    edgeFrom[static_cast<std::size_t>(edge.EndId)] = &edge;
-    edgeTo[static_cast<std::size_t>(edge.StartId)] = &edge;
+    edgeFrom[edge.EndId] = &edge;
+    edgeTo[edge.StartId] = &edge;
   }
   for (const BorderEdge& edge : border)
   {
-    edgeFrom[static_cast<std::size_t>(edge.StartId)] = &edge;
-    edgeTo[static_cast<std::size_t>(edge.EndId)] = &edge;
+    edgeFrom[edge.StartId] = &edge;
+    edgeTo[edge.EndId] = &edge;
   }
   BorderRays rays(source, most, rule, edges);
   for (std::size_t k = 0; k < border.size() && pulse.Beat(256); ++k)
   {
     const BorderEdge& edge = border[k];
-    rays.ListFrom(edge, *edgeTo[static_cast<std::size_t>(edge.StartId)],
-      *edgeFrom[static_cast<std::size_t>(edge.EndId)]);
+    rays.ListFrom(edge, *edgeTo[edge.StartId], *edgeFrom[edge.EndId]);
   }
 }
 

@@ -72,13 +72,13 @@ public:
   /// Cuts a leaf; bit d of a child's number is set where it is the upper one along axis d.
   void Split(const Cube& cube)
   {
-    this->Nodes[static_cast<std::size_t>(cube.Node)] = static_cast<Id>(this->Nodes.size());
+    this->Nodes[cube.Node] = static_cast<Id>(this->Nodes.size());
     this->Nodes.resize(this->Nodes.size() + Children, NoId);
   }
 
   Cube Child(const Cube& cube, int child) const
   {
-    const Id first = this->Nodes[static_cast<std::size_t>(cube.Node)];
+    const Id first = this->Nodes[cube.Node];
     Point<D> half;
     for (std::size_t d = 0; d < D; ++d)
     {
@@ -88,10 +88,7 @@ public:
   }
 
   /// leaf is not negative.
-  void SetLeaf(const Cube& cube, Id leaf)
-  {
-    this->Nodes[static_cast<std::size_t>(cube.Node)] = ~leaf;
-  }
+  void SetLeaf(const Cube& cube, Id leaf) { this->Nodes[cube.Node] = ~leaf; }
 
   /// Makes a leaf the root of another tree, of the same cube, whose leaves get numbers larger by
   /// `shift`, but for 0.
@@ -103,7 +100,7 @@ public:
       const bool isInner = node >= 0;
       return isInner ? node + nodeShift : (~node == 0 ? node : ~(~node + shift));
     };
-    this->Nodes[static_cast<std::size_t>(cube.Node)] = shifted(other.Nodes.front());
+    this->Nodes[cube.Node] = shifted(other.Nodes.front());
     std::transform(
       other.Nodes.begin() + 1, other.Nodes.end(), std::back_inserter(this->Nodes), shifted);
   }

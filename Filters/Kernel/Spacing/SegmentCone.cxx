@@ -17,7 +17,7 @@ double SlopeWithinAnEdge(const SegmentSource& source)
   double most = 0.0;
   for (const Id point : source.Segments)
   {
-    const double value = source.Values[static_cast<std::size_t>(point)];
+    const double value = source.Values[point];
     least = std::min(least, value);
     most = std::max(most, value);
   }

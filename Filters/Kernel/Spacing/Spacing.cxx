@@ -4,8 +4,8 @@
 #include "Spacing.h"
 
 #include "../Base/FreedMemory.h"
+#include "../Base/Monitor.h"
 #include "../Base/Numbers.h"
-#include "../Base/PartOfStage.h"
 #include "../Base/Tasks.h"
 #include "../Predicates/Predicates.h" // for GreatestCoordinate
 #include "ConeTree.h"

@@ -46,11 +46,7 @@ public:
 
   void Build()
   {
-    Box2 box;
-    for (const Id point : this->Corners)
-    {
-      box.Add(this->Points[static_cast<std::size_t>(point)]);
-    }
+    Box2 box = Box2::Around(this->Points, this->Corners);
     box.Grow(OddShare * std::max(box.Width(), box.Height()));
     this->Whole.Tree = Orthtree<2>::Around(box.Low, box.High);
     std::vector<Id> all(this->Corners.size() / 3);
@@ -192,7 +188,7 @@ private:
   const Point2& CornerOf(Id triangle, std::size_t corner) const
   {
     const Id id = this->Corners[3 * static_cast<std::size_t>(triangle) + corner];
-    return this->Points[static_cast<std::size_t>(id)];
+    return this->Points[id];
   }
 
   TriangleBuckets& Whole;

@@ -26,7 +26,7 @@ public:
   /// All triangles that meet the leaf of x; outside, those of the nearest leaf along the axes.
   IdLists::List Near(const Point2& x) const
   {
-    const Id* list = &this->Lists[static_cast<std::size_t>(this->Tree.Locate(x))];
+    const Id* list = &this->Lists[this->Tree.Locate(x)];
     return { list + 1, list + 1 + *list };
   }
 

@@ -35,8 +35,7 @@ std::vector<Id> UsableCorners(const TriangulatedSource& source, Pulse& pulse)
 {
   std::vector<Id> usable;
   usable.reserve(source.Triangles.size());
-  const auto isHole = [&source](Id point)
-  { return std::isnan(source.Values[static_cast<std::size_t>(point)]); };
+  const auto isHole = [&source](Id point) { return std::isnan(source.Values[point]); };
   pulse.ForEach(source.Triangles.size() / 3,
     [&source, &usable, &isHole](std::size_t triangle)
     {
@@ -162,14 +161,13 @@ public:
 private:
   CellNode At(Id point) const
   {
-    const auto id = static_cast<std::size_t>(point);
-    const double value = this->Given.Values[id];
-    return { this->Given.Points[id], this->Rule.Range.Scale * value, this->Rule.Range(value) };
+    const double value = this->Given.Values[point];
+    return { this->Given.Points[point], this->Rule.Range.Scale * value, this->Rule.Range(value) };
   }
-  double MostAt(Id point) const { return this->Most[static_cast<std::size_t>(point)]; }
+  double MostAt(Id point) const { return this->Most[point]; }
   void Lower(Id point, double value)
   {
-    double& most = this->Most[static_cast<std::size_t>(point)];
+    double& most = this->Most[point];
     most = std::min(most, value);
   }
 

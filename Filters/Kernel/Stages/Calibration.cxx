@@ -3,7 +3,7 @@
 
 #include "Calibration.h"
 
-#include "../Base/PartOfStage.h"
+#include "../Base/Monitor.h"
 #include "../Biting/VertexEstimate.h"
 #include "../Delaunay/Triangulation.h"
 

@@ -9,7 +9,7 @@
 #include "../Base/Pulse.h"
 #include "../Predicates/Predicates.h"
 #include "../Quality/TriangleLinks.h"
-#include "PreservedSpacing.h"
+#include "PreparedInput.h"
 
 #include <algorithm> // for max, sort, swap
 #include <array>     // for corners

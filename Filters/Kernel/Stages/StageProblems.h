@@ -4,7 +4,7 @@
 #ifndef BitingStageProblems_h
 #define BitingStageProblems_h
 
-#include "../Base/PartOfStage.h"
+#include "../Base/Monitor.h"
 #include "../Base/Problem.h"
 
 #include <cstdint> // for limits

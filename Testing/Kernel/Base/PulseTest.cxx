@@ -3,7 +3,7 @@
 
 #include "../Support/Monitors.h"
 
-#include "Base/PartOfStage.h"
+#include "Base/Monitor.h"
 #include "Base/Pulse.h"
 
 #include <gtest/gtest.h>

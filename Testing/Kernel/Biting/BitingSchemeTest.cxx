@@ -257,7 +257,8 @@ void BitingLaws::CheckCoverage() const
 {
   constexpr int Samples = 20000;
   const MadeDomain made = Make(this->GetParam().Case.Input);
-  const DomainLocator locator(made.Domain);
+  Pulse unheard(NoMonitor());
+  const DomainLocator locator(made.Domain, unheard);
   const Bites& bites = this->Run.Mesh.Bites;
   const BiteBuckets buckets(bites);
   const Box2& box = made.Domain.Bounds;
@@ -337,7 +338,8 @@ void BitingLaws::CheckShapes() const
 {
   const BitingMesh& mesh = this->Run.Mesh;
   const MadeDomain made = Make(this->GetParam().Case.Input);
-  const DomainLocator locator(made.Domain);
+  Pulse unheard(NoMonitor());
+  const DomainLocator locator(made.Domain, unheard);
   const double t = this->Product;
   const double reach = this->CornerDistance * this->GreatestConstant;
   const double innerBound =

@@ -161,7 +161,8 @@ void CheckFront(const Polylines& input, const BitingMesh& mesh, Placement placem
     OddEnds(SortedEnds(mesh.Front), EndTolerance(mesh.Bites, placement));
   EXPECT_TRUE(odd.empty()) << odd.size() << " open ends, the first at " << Text(odd.front());
   const MadeDomain made = Make(input);
-  const DomainLocator locator(made.Domain);
+  Pulse unheard(NoMonitor());
+  const DomainLocator locator(made.Domain, unheard);
   const BiteBuckets buckets(mesh.Bites);
   for (std::size_t k = 0; k + 1 < mesh.Front.size(); k += 2)
   {

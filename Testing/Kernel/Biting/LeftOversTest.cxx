@@ -6,8 +6,7 @@
 #include "../Support/MeshShapes.h"
 #include "../Support/PolylineShapes.h"
 #include "Biting/BiteOutline.h"
-#include "Biting/EdgeProtection.h"
-#include "Biting/VertexProtection.h"
+#include "Biting/BoundaryProtection.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +27,7 @@ protected:
 
   CrowdOfBites()
     : Made(Make(PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, Sides)).Lines()))
-    , Locator(this->Made.Domain)
+    , Locator(this->Made.Domain, this->Unheard)
     , F(Prepare())
     , Options(GetParam(), Placement::Bisectors)
   {
@@ -75,6 +74,7 @@ protected:
   }
 
   const MadeDomain Made;
+  Pulse Unheard{ NoMonitor() };
   const DomainLocator Locator;
   const Spacing F;
   const BitingOptions Options;

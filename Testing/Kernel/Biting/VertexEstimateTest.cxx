@@ -24,7 +24,8 @@ constexpr double Tolerance = 0.05; // as the header promises
 double Integral(const Polylines& input, const SpacingOptions& options)
 {
   const MadeDomain made = Make(input);
-  const DomainLocator locator(made.Domain);
+  Pulse unheard(NoMonitor());
+  const DomainLocator locator(made.Domain, unheard);
   ProblemList problems;
   SilentMonitor monitor;
   const Spacing spacing = MakeSpacing(options, made.Domain.Bounds, problems, monitor);

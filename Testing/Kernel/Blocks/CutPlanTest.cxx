@@ -23,7 +23,7 @@ struct Scene
 {
   Scene(const Polylines& drawing, double length)
     : Made(Make(drawing).Domain)
-    , Locator(Made)
+    , Locator(Made, Unheard)
   {
     ProblemList problems;
     SilentMonitor monitor;
@@ -43,6 +43,7 @@ struct Scene
   }
 
   Domain Made;
+  Pulse Unheard{ NoMonitor() };
   DomainLocator Locator;
   Spacing F;
 };

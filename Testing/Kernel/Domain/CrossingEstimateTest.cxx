@@ -60,7 +60,8 @@ CrossingEstimate Estimate(const Arrangement& arrangement, std::size_t most)
   SilentMonitor monitor;
   Pulse pulse(monitor);
   const std::vector<SegmentEnds> edges = arrangement.EdgeEnds();
-  const SegmentTree tree(arrangement.Vertices, edges, 0.0);
+  Pulse unheard(NoMonitor());
+  const SegmentTree tree(arrangement.Vertices, edges, 0.0, unheard);
   return EstimateCrossingsAbove(most, arrangement.Vertices, edges, tree, pulse);
 }
 

@@ -55,7 +55,8 @@ std::vector<Point2> RandomStar(
 
 void CheckEverywhere(const Domain& domain, double step, TestNumbers& numbers)
 {
-  const DomainLocator locator(domain);
+  Pulse unheard(NoMonitor());
+  const DomainLocator locator(domain, unheard);
   const Box2& box = domain.Bounds;
   for (double y = box.Low.Y - step; y <= box.High.Y + step; y += step)
   {
@@ -114,7 +115,8 @@ TEST(DomainLocator, VerticesAndPointsOnSegmentsAreNotInside)
   TestNumbers numbers(2);
   const MadeDomain made = Make(
     PolylineBuilder().Loop(RandomStar({ 0.0, 0.0 }, 60, 200, 500, numbers)).Loop(EllShape(64.0)));
-  const DomainLocator locator(made.Domain);
+  Pulse unheard(NoMonitor());
+  const DomainLocator locator(made.Domain, unheard);
   for (const Point2& vertex : made.Domain.Vertices)
   {
     EXPECT_FALSE(locator.IsInside(vertex));
@@ -137,7 +139,8 @@ TEST(DomainLocator, AgreesWithParityNextToSegments)
   TestNumbers numbers(3);
   const MadeDomain made =
     Make(PolylineBuilder().Loop(RandomStar({ 0.0, 0.0 }, 40, 200, 500, numbers)));
-  const DomainLocator locator(made.Domain);
+  Pulse unheard(NoMonitor());
+  const DomainLocator locator(made.Domain, unheard);
   for (Id segment = 0; segment < made.Domain.NumberOfSegments(); ++segment)
   {
     const Point2 middle = made.Domain.Vertices[made.Domain.Starts[segment]] +
@@ -165,7 +168,8 @@ TEST(DomainLocator, AgreesWithParityFarFromTheOriginAndWhenFlat)
   const MadeDomain farDomain = Make(Move(input, far));
   CheckEverywhere(farDomain.Domain, 5.0, numbers);
   const MadeDomain flatDomain = Make(Move(input, flat));
-  const DomainLocator locator(flatDomain.Domain);
+  Pulse unheard(NoMonitor());
+  const DomainLocator locator(flatDomain.Domain, unheard);
   for (int k = 0; k < 2000; ++k)
   {
     const Point2 p = flat({ 200.0 * numbers.Unit() - 100.0, 200.0 * numbers.Unit() - 100.0 });
@@ -177,7 +181,8 @@ TEST(DomainLocator, InterfacesBoundNothing)
 {
   const MadeDomain made =
     Make(PolylineBuilder().Box(0.0, 0.0, 4.0, 4.0).Chain({ { 0.0, 2.0 }, { 4.0, 2.0 } }));
-  const DomainLocator locator(made.Domain);
+  Pulse unheard(NoMonitor());
+  const DomainLocator locator(made.Domain, unheard);
   EXPECT_TRUE(locator.IsInside({ 1.0, 1.0 }));
   EXPECT_TRUE(locator.IsInside({ 1.0, 2.0 }));
   EXPECT_TRUE(locator.IsInside({ 1.0, 3.0 }));

@@ -20,7 +20,8 @@ double Calibrate(const Polylines& input, const SpacingOptions& spacingOptions,
   const BitingOptions& options = BitingOptions())
 {
   const MadeDomain made = Make(input);
-  const DomainLocator locator(made.Domain);
+  Pulse unheard(NoMonitor());
+  const DomainLocator locator(made.Domain, unheard);
   ProblemList problems;
   SilentMonitor monitor;
   const Spacing spacing = MakeSpacing(spacingOptions, made.Domain.Bounds, problems, monitor);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Stages/PreservedSpacing.h"
 #include "../Support/MeshShapes.h"
 #include "Base/DistanceToSegment.h"
+#include "Stages/PreparedInput.h"
 
 #include <gtest/gtest.h>
 

@@ -135,7 +135,8 @@ private:
 
   void ThrowDarts(double distance, int darts)
   {
-    const DomainLocator locator(this->Domain);
+    Pulse unheard(NoMonitor());
+    const DomainLocator locator(this->Domain, unheard);
     const Box2& box = this->Domain.Bounds;
     Dice dice(1);
     for (int dart = 0; dart < darts; ++dart)

@@ -104,7 +104,8 @@ inline std::string DomainChecker::Segments() const
 /// Segments without a common end; the others are seen in the fans.
 inline std::string DomainChecker::Meetings() const
 {
-  const SegmentTree tree(this->Input.Vertices, this->Ends, 0.0);
+  Pulse unheard(NoMonitor());
+  const SegmentTree tree(this->Input.Vertices, this->Ends, 0.0, unheard);
   for (Id segment = 0; segment < this->Input.NumberOfSegments(); ++segment)
   {
     if (this->MeetsAnother(segment, tree))
@@ -134,8 +135,9 @@ inline bool DomainChecker::MeetsAnother(Id segment, const SegmentTree& tree) con
 
 inline std::string DomainChecker::LoneVertices() const
 {
-  const SegmentTree tree(this->Input.Vertices, this->Ends, 0.0);
-  const VertexStars stars(this->Input.Vertices, this->Ends);
+  Pulse unheard(NoMonitor());
+  const SegmentTree tree(this->Input.Vertices, this->Ends, 0.0, unheard);
+  const VertexStars stars(this->Input.Vertices, this->Ends, unheard);
   for (Id vertex = 0; vertex < this->Input.NumberOfVertices(); ++vertex)
   {
     const bool isEmbedded = this->Input.IsEmbedded[vertex] != 0;
@@ -162,7 +164,8 @@ inline std::string DomainChecker::LoneVertices() const
 
 inline std::string DomainChecker::Fans() const
 {
-  const VertexStars stars(this->Input.Vertices, this->Ends);
+  Pulse unheard(NoMonitor());
+  const VertexStars stars(this->Input.Vertices, this->Ends, unheard);
   std::string violation;
   for (Id vertex = 0; vertex < stars.NumberOfVertices(); ++vertex)
   {

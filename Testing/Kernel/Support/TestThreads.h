@@ -4,7 +4,6 @@
 #ifndef BitingTestThreads_h
 #define BitingTestThreads_h
 
-#include "Base/Executor.h"
 #include "Base/Monitor.h"
 
 #include <chrono> // for waiting

@@ -1,13 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef BitingEdgeProtection_h
-#define BitingEdgeProtection_h
+#ifndef BitingBoundaryProtection_h
+#define BitingBoundaryProtection_h
 
 #include "BitingState.h"
 
 namespace biting
 {
+
+/// The first phase (paper, section 3.1): a bite at each vertex of the domain, which are added as
+/// the first vertices of the mesh, turned by the rule of figure 7.
+void AddDomainVertices(BitingState& state);
+void ProtectVertices(BitingState& state);
 
 /// The second phase (paper, section 3.1): bites on the segments of the domain, aligned with them,
 /// at vertices spread by equal integrals of 1/f. Where biting stops before, the segments that are

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "CandidateQueue.h"
+#include "FrontOrder.h"
 
 #include <algorithm> // for push_heap, pop_heap, min
 

@@ -1,22 +1,35 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "EdgeProtection.h"
+#include "BoundaryProtection.h"
 
 #include "../Base/PointOnSegment.h"
 #include "BiteOutline.h" // for Depth
 #include "EdgeDivision.h"
+#include "Orientation.h"
 #include "SharpCorners.h"
 
 #include <algorithm> // for all_of, max, min
+#include <cstddef>   // for sizes
 #include <cstdint>   // for the limit
 #include <iterator>  // for begin, end
+#include <numeric>   // for iota
 
 namespace biting
 {
 
 namespace
 {
+
+// For circles: one bite a vertex.
+VertexAxes WithoutAxes(Id numberOfVertices)
+{
+  VertexAxes none;
+  none.Axes.resize(numberOfVertices);
+  none.Offsets.resize(static_cast<std::size_t>(numberOfVertices) + 1);
+  std::iota(none.Offsets.begin(), none.Offsets.end(), 0);
+  return none;
+}
 
 // How near centres on one edge may be, in half-widths.
 double LeastPart(const BitingOptions& options)
@@ -139,6 +152,31 @@ void ShieldEdge(Id segment, EdgeDivider& divider, DivisionPoints& division, Biti
 }
 
 } // namespace
+
+void AddDomainVertices(BitingState& state)
+{
+  state.Reserve();
+  for (const Point2& vertex : state.Geometry.Vertices)
+  {
+    state.AddVertex(vertex, state.F(vertex), NoId);
+    state.Step();
+  }
+}
+
+void ProtectVertices(BitingState& state)
+{
+  state.Axes = state.Options.Shape == BiteShape::Circle
+    ? WithoutAxes(state.Geometry.NumberOfVertices())
+    : OrientVertexBites(state.Geometry, state.Progress);
+  for (Id vertex = 0; vertex < state.Geometry.NumberOfVertices() && state.MayBite(); ++vertex)
+  {
+    for (Id k = state.Axes.Offsets[vertex]; k < state.Axes.Offsets[vertex + 1]; ++k)
+    {
+      state.Bite(vertex, state.Axes.Axes[k], 1.0, BitePhase::VertexProtection);
+    }
+    state.FinishBite();
+  }
+}
 
 void ProtectEdges(BitingState& state)
 {
