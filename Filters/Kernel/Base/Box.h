@@ -90,7 +90,7 @@ struct Box
     Point<D> apart;
     for (std::size_t d = 0; d < D; ++d)
     {
-      apart[d] = std::max(std::max(this->Low[d] - p[d], p[d] - this->High[d]), 0.0);
+      apart[d] = p[d] - std::min(this->High[d], std::max(this->Low[d], p[d]));
     }
     return Length(apart);
   }

@@ -100,12 +100,11 @@ private:
   void Build(std::vector<Entry>& entries, Pulse& pulse);
   std::vector<Branch> SplitAll(
     const std::vector<Branch>& branches, std::vector<Entry>& entries, Pulse& pulse);
-  void Graft(const Branch& branch, const std::vector<Node>& nodes);
   void Order(std::vector<Entry>& entries, Pulse& pulse);
   static Node Enclose(const Branch& branch, const std::vector<Entry>& entries);
   static void Halve(const Branch& branch, const biting::Box<D>& box, std::vector<Entry>& entries);
-  static void BuildBelow(
-    const Branch& branch, std::vector<Entry>& entries, std::vector<Node>& nodes, Pulse& pulse);
+  static std::size_t NodesOf(Id items);
+  void BuildBelow(const Branch& branch, std::vector<Entry>& entries, Id& next, Pulse& pulse);
 
   std::vector<Item> Ordered;
   std::vector<Node> Nodes;
@@ -162,25 +161,28 @@ void BoxTree<Item, D>::Build(std::vector<Entry>& entries, Pulse& pulse)
   {
     branches = this->SplitAll(branches, entries, pulse);
   }
-  std::vector<std::vector<Node>> parts(branches.size());
+  std::vector<Id> firsts; // of the nodes below branches
+  std::size_t nodes = this->Nodes.size();
+  for (const Branch& branch : branches)
+  {
+    firsts.push_back(static_cast<Id>(nodes));
+    nodes += NodesOf(branch.Last - branch.First) - 1;
+  }
+  this->Nodes.resize(nodes);
   DoTasks(pulse, branches.size(),
-    [&branches, &entries, &parts](std::size_t k, Monitor& monitor)
+    [this, &branches, &entries, &firsts](std::size_t k, Monitor& monitor)
     {
       Pulse own(monitor);
-      parts[k].resize(1);
-      BuildBelow({ 0, branches[k].First, branches[k].Last }, entries, parts[k], own);
+      Id next = firsts[k];
+      this->BuildBelow(branches[k], entries, next, own);
     });
-  std::size_t nodes = this->Nodes.size();
-  for (const std::vector<Node>& part : parts)
-  {
-    nodes += part.size();
-  }
-  this->Nodes.reserve(nodes);
-  for (std::size_t k = 0; k < branches.size(); ++k)
-  {
-    this->Graft(branches[k], parts[k]);
-    std::vector<Node>().swap(parts[k]);
-  }
+}
+
+/// Of a subtree of so many items.
+template <typename Item, std::size_t D>
+std::size_t BoxTree<Item, D>::NodesOf(Id items)
+{
+  return items > ItemsPerLeaf ? 1 + NodesOf(items / 2) + NodesOf(items - items / 2) : 1;
 }
 
 /// Makes the nodes of the branches; returns those below them. The last of each level is the
@@ -208,26 +210,6 @@ std::vector<typename BoxTree<Item, D>::Branch> BoxTree<Item, D>::SplitAll(
       this->Nodes[branches[k].Node] = node;
     });
   return below;
-}
-
-/// Takes the nodes of a subtree over, the first as that of the branch.
-template <typename Item, std::size_t D>
-void BoxTree<Item, D>::Graft(const Branch& branch, const std::vector<Node>& nodes)
-{
-  const auto shift = static_cast<Id>(this->Nodes.size()) - 1;
-  for (std::size_t k = 0; k < nodes.size(); ++k)
-  {
-    Node node = nodes[k];
-    node.First += node.Count == 0 ? shift : 0;
-    if (k == 0)
-    {
-      this->Nodes[branch.Node] = node;
-    }
-    else
-    {
-      this->Nodes.push_back(node);
-    }
-  }
 }
 
 /// As a leaf.
@@ -269,7 +251,7 @@ void BoxTree<Item, D>::Halve(
 
 template <typename Item, std::size_t D>
 void BoxTree<Item, D>::BuildBelow(
-  const Branch& branch, std::vector<Entry>& entries, std::vector<Node>& nodes, Pulse& pulse)
+  const Branch& branch, std::vector<Entry>& entries, Id& next, Pulse& pulse)
 {
   if (!pulse.Beat(4 * static_cast<std::size_t>(branch.Last - branch.First)))
   {
@@ -279,18 +261,18 @@ void BoxTree<Item, D>::BuildBelow(
   if (node.Count > ItemsPerLeaf)
   {
     Halve(branch, node.Box, entries);
-    node.First = static_cast<Id>(nodes.size());
+    node.First = next;
     node.Count = 0;
-    nodes.resize(nodes.size() + 2);
-    BuildBelow({ node.First, branch.First, branch.Middle() }, entries, nodes, pulse);
-    BuildBelow({ node.First + 1, branch.Middle(), branch.Last }, entries, nodes, pulse);
+    next += 2;
+    this->BuildBelow({ node.First, branch.First, branch.Middle() }, entries, next, pulse);
+    this->BuildBelow({ node.First + 1, branch.Middle(), branch.Last }, entries, next, pulse);
   }
   else
   {
     std::sort(entries.begin() + branch.First, entries.begin() + branch.Last,
       [](const Entry& a, const Entry& b) { return a.Number < b.Number; });
   }
-  nodes[branch.Node] = node;
+  this->Nodes[branch.Node] = node;
 }
 
 template <typename Item, std::size_t D>

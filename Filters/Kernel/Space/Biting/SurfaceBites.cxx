@@ -5,7 +5,7 @@
 
 #include "ChainDivision.h"
 
-#include <algorithm> // for find, max, min
+#include <algorithm> // for find, max, min, none_of
 #include <array>     // for corners
 #include <cmath>     // for sqrt
 #include <cstdint>   // for marks
@@ -34,6 +34,10 @@ struct GroundPlane
     , Twice(Length(Normal))
   {
     this->Normal = (1.0 / this->Twice) * this->Normal;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      this->Inwards[k] = Cross(this->Normal, triangle[(k + 1) % 3] - triangle[k]);
+    }
   }
 
   bool Has(const Point3& p) const
@@ -41,15 +45,15 @@ struct GroundPlane
     bool isIn = true;
     for (std::size_t k = 0; k < 3 && isIn; ++k)
     {
-      const Point3 side = this->Corners[(k + 1) % 3] - this->Corners[k];
-      isIn = Dot(Cross(side, p - this->Corners[k]), this->Normal) >= -Beside * this->Twice;
+      isIn = Dot(p - this->Corners[k], this->Inwards[k]) >= -Beside * this->Twice;
     }
     return isIn;
   }
 
   std::array<Point3, 3> Corners;
   Point3 Normal;
-  double Twice; ///< the area
+  double Twice;                  ///< the area
+  std::array<Point3, 3> Inwards; ///< across the sides, as long as they are
 };
 
 /// A ball's disk in the plane of a triangle.
@@ -89,7 +93,8 @@ public:
         this->EmptyQueue();
       }
     }
-    return std::move(this->Bites);
+    this->Bites.Guards.clear();
+    return this->Bites; // a copy, without the room of growing arrays
   }
 
 private:
@@ -127,14 +132,18 @@ private:
   {
     for (Id entry = this->Heads[At(triangle)]; entry != NoId; entry = this->Entries[At(entry)].Next)
     {
-      const std::size_t bite = At(this->Entries[At(entry)].Number());
-      const Point3 apart = place - this->Bites.Centers[bite];
-      if (Dot(apart, apart) < this->Bites.Guards[bite] * this->Bites.Guards[bite])
+      if (this->IsGuarded(this->Entries[At(entry)].Number(), place))
       {
         return true;
       }
     }
     return false;
+  }
+
+  bool IsGuarded(Id bite, const Point3& place) const
+  {
+    const Point3 apart = place - this->Bites.Centers[At(bite)];
+    return Dot(apart, apart) < this->Bites.Guards[At(bite)] * this->Bites.Guards[At(bite)];
   }
 
   void AddBite(const Point3& place, Id triangle)
@@ -288,15 +297,17 @@ private:
   void Meet(Id bite, Id triangle)
   {
     this->Near.clear();
+    bool isAny = false;
     for (Id entry = this->Heads[At(triangle)]; entry != NoId; entry = this->Entries[At(entry)].Next)
     {
-      const Id other = this->Entries[At(entry)].Bite;
-      if (other >= 0 && !this->AreApart(bite, other))
+      const Entry& other = this->Entries[At(entry)];
+      if (!this->AreApart(bite, other.Number()))
       {
-        this->Near.push_back(other);
+        this->Near.push_back(other.Bite);
+        isAny = isAny || other.Bite >= 0;
       }
     }
-    if (this->Near.empty())
+    if (!isAny)
     {
       return;
     }
@@ -309,7 +320,7 @@ private:
     for (const Id near : this->Near)
     {
       PlaneDisk other{};
-      if (this->DiskOf(near, plane, other))
+      if (near >= 0 && this->DiskOf(near, plane, other))
       {
         this->MeetDisk(own, other, plane, triangle);
       }
@@ -351,7 +362,9 @@ private:
       if (plane.Has(place))
       {
         ++this->NumberOfMeetings;
-        if (!this->IsTaken(triangle, place))
+        // Guards that the new sphere meets are of bites that are near.
+        if (std::none_of(this->Near.begin(), this->Near.end(),
+              [this, &place](Id near) { return this->IsGuarded(near < 0 ? ~near : near, place); }))
         {
           this->Queue.push_back({ place, triangle });
         }
@@ -397,7 +410,7 @@ private:
   std::vector<std::uint8_t> IsWithin; ///< of its triangles: the ball has all of them
   std::deque<Candidate> Queue;
   std::size_t NumberOfMeetings = 0;
-  std::vector<Id> Near; ///< bites in a triangle that the new one may meet
+  std::vector<Id> Near; ///< bites in a triangle that the new one may meet, as Entry::Bite
 };
 
 } // namespace

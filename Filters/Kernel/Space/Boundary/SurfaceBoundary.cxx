@@ -75,11 +75,12 @@ class BoundaryFinder
 {
 public:
   BoundaryFinder(const SurfaceMesh& input, const SurfaceGround& ground, const SurfaceBites& bites,
-    const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse)
+    const BoxTree<SurfaceItem, 3>& tree, bool hasBalls, Pulse& pulse)
     : Input(input)
     , Ground(ground)
     , Bites(bites)
     , Tree(tree)
+    , HasBalls(hasBalls)
     , Beats(pulse)
   {
   }
@@ -106,6 +107,7 @@ public:
 
 private:
   static constexpr std::size_t CheapSteps = 31;
+  static constexpr std::size_t BitesPerFarPoint = 16;
 
   /// Points p farther from the surface than twice the radius R of any bite. They divide the cells
   /// across bodies, of which there are many where bites are on a sphere or around an axis.
@@ -117,9 +119,8 @@ private:
     const InsideTest test(this->Input, this->Ground.Sides, this->Tree);
     const std::vector<double>& radii = this->Bites.Radii;
     const double reach = radii.empty() ? 0.0 : *std::max_element(radii.begin(), radii.end());
-    constexpr std::size_t BitesPerPoint = 16;
     const std::vector<Point3> points =
-      SpreadPoints(this->Ground.Mesh.Bounds(), this->Bites.Centers.size() / BitesPerPoint);
+      SpreadPoints(this->Ground.Mesh.Bounds(), this->Bites.Centers.size() / BitesPerFarPoint);
     for (const Id k : SpatialOrder(points, this->Beats))
     {
       if (!this->Beats.Beat(64))
@@ -139,8 +140,9 @@ private:
   void Triangulate()
   {
     RegularTriangulation triangulation(this->Bites.NumberOnLines > 0);
-    constexpr double CellsPerBite = 5.3; // on surfaces, with far points
-    triangulation.Reserve(this->Bites.Centers.size(), CellsPerBite);
+    constexpr double CellsPerPoint = 5.0; // on surfaces
+    const std::size_t bites = this->Bites.Centers.size();
+    triangulation.Reserve(bites + bites / BitesPerFarPoint + 8, CellsPerPoint);
     this->AddFarPoints(triangulation);
     const std::vector<Id> order = SpatialOrder(this->Bites.Centers, this->Beats);
     this->BiteOf.reserve(order.size());
@@ -287,7 +289,10 @@ private:
         this->Put(
           facet, isFound ? near : this->TriangleBelow(facet, met, dual.Normal), false, place);
         this->Result.Sides[place] = { labelOf(facet), labelOf(mesh.Twins[At(facet)]) };
-        this->Result.BallCenters[place] = this->BallCenter(dual, met);
+        if (this->HasBalls)
+        {
+          this->Result.BallCenters[place] = this->BallCenter(dual, met);
+        }
       });
   }
 
@@ -357,7 +362,7 @@ private:
     this->Result.Corners.resize(3 * facets.size());
     this->Result.Triangles.resize(facets.size());
     this->Result.Sides.resize(facets.size());
-    this->Result.BallCenters.resize(facets.size());
+    this->Result.BallCenters.resize(this->HasBalls ? facets.size() : 0);
     ForRowsAtOnce(this->Beats, facets.size(), CheapSteps,
       [&put, &facets](std::size_t begin, std::size_t end)
       {
@@ -542,7 +547,8 @@ private:
   const SurfaceGround& Ground;
   const SurfaceBites& Bites;
   const BoxTree<SurfaceItem, 3>& Tree; ///< of the input
-  TetMesh Cells;                       ///< their regular triangulation
+  const bool HasBalls;
+  TetMesh Cells; ///< their regular triangulation
   Pulse& Beats;
   std::vector<Id> BiteOf;               ///< of vertices
   std::vector<Id> FarLabels;            ///< of the first vertices, which are far points
@@ -554,9 +560,9 @@ private:
 } // namespace
 
 SurfaceBoundary FindBoundary(const SurfaceMesh& input, const SurfaceGround& ground,
-  const SurfaceBites& bites, const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse)
+  const SurfaceBites& bites, const BoxTree<SurfaceItem, 3>& tree, bool hasBalls, Pulse& pulse)
 {
-  return BoundaryFinder(input, ground, bites, tree, pulse).Run();
+  return BoundaryFinder(input, ground, bites, tree, hasBalls, pulse).Run();
 }
 
 } // namespace biting

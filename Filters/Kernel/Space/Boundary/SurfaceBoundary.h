@@ -48,8 +48,9 @@ struct SurfaceBoundary
 /// triangulation. For other surfaces: those whose dual edges meet the surface. Then checks all
 /// certificates (CheckBoundary) but those of the whole (CheckWhole): faults are not repaired.
 /// `input`: the surface that the ground divides, of which `tree` is.
+/// `hasBalls`: BallCenters are wanted, of a solid.
 SurfaceBoundary FindBoundary(const SurfaceMesh& input, const SurfaceGround& ground,
-  const SurfaceBites& bites, const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse);
+  const SurfaceBites& bites, const BoxTree<SurfaceItem, 3>& tree, bool hasBalls, Pulse& pulse);
 
 } // namespace biting
 

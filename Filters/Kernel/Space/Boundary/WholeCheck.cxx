@@ -4,14 +4,13 @@
 #include "WholeCheck.h"
 
 #include "../../Base/DisjointSets.h"
+#include "../../Base/IdLists.h"
 #include "../../Base/Problem.h"
-#include "../../Base/SortInSteps.h"
 
-#include <algorithm>  // for unique, max, min
-#include <cmath>      // for abs
-#include <cstdint>    // for marks
-#include <functional> // for less
-#include <utility>    // for pairs
+#include <algorithm> // for minmax, sort, unique
+#include <cmath>     // for abs
+#include <cstdint>   // for marks
+#include <utility>   // for move
 
 namespace biting
 {
@@ -49,24 +48,32 @@ public:
   std::vector<PartFigures> Measure(Pulse& pulse)
   {
     std::vector<PartFigures> parts(this->Points.size());
-    std::vector<std::pair<Id, Id>> edges;
+    // Of edges at their lower ends.
+    const IdLists heads(this->Points.size(),
+      [this](const auto& add)
+      {
+        for (std::size_t slot = 0; slot < this->Corners.size(); ++slot)
+        {
+          const auto [low, high] =
+            std::minmax(this->Corners[slot], this->Corners[slot % 3 == 2 ? slot - 2 : slot + 1]);
+          add(low, high);
+        }
+      });
     std::vector<std::uint8_t> isUsed(this->Points.size(), 0);
-    edges.reserve(this->Corners.size());
-    for (std::size_t slot = 0; slot < this->Corners.size(); ++slot)
+    for (const Id corner : this->Corners)
     {
-      const Id a = this->Corners[slot];
-      const Id b = this->Corners[slot % 3 == 2 ? slot - 2 : slot + 1];
-      edges.push_back({ std::min(a, b), std::max(a, b) });
-      parts[At(this->RootOf(a))].Euler += isUsed[At(a)] == 0 ? 1 : 0;
-      isUsed[At(a)] = 1;
+      isUsed[At(corner)] = 1;
     }
-    SortInSteps(edges, std::less<>(), pulse);
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    for (const std::pair<Id, Id>& edge : edges)
-    {
-      --parts[At(this->RootOf(edge.first))].Euler;
-    }
-    pulse.Ask();
+    std::vector<Id> ends;
+    pulse.ForEach(isUsed.size(),
+      [this, &heads, &isUsed, &ends, &parts](std::size_t vertex)
+      {
+        const Id low = static_cast<Id>(vertex);
+        ends.assign(heads[low].begin(), heads[low].end());
+        std::sort(ends.begin(), ends.end());
+        const auto edges = std::unique(ends.begin(), ends.end()) - ends.begin();
+        parts[At(this->RootOf(low))].Euler += isUsed[vertex] - static_cast<Id>(edges);
+      });
     for (std::size_t t = 0; t < this->Corners.size() / 3; ++t)
     {
       PartFigures& part = parts[At(this->RootOf(this->Corners[3 * t]))];

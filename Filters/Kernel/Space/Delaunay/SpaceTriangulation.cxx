@@ -7,7 +7,8 @@
 #include "../../Delaunay/SpatialOrder.h"
 #include "RegularTriangulation.h"
 
-#include <utility> // for move
+#include <algorithm> // for any_of
+#include <utility>   // for move
 
 namespace biting
 {
@@ -30,7 +31,9 @@ SpaceTriangulation TriangulateSpace(
     order = SpatialOrder(points, pulse);
   }
   const PulsePart part(pulse, OrderEnd, 1.0);
-  RegularTriangulation triangulation(!weights.empty());
+  const bool areWeighted =
+    std::any_of(weights.begin(), weights.end(), [](double weight) { return weight != 0.0; });
+  RegularTriangulation triangulation(areWeighted);
   triangulation.Reserve(points.size());
   std::size_t numberOfVertices = 0;
   for (std::size_t i = 0; i < order.size() && pulse.Beat(); ++i)
@@ -38,7 +41,7 @@ SpaceTriangulation TriangulateSpace(
     const Id id = order[i];
     const auto k = static_cast<std::size_t>(id);
     const PointInsertion insertion =
-      triangulation.Insert(points[k], weights.empty() ? 0.0 : weights[k]);
+      triangulation.Insert(points[k], areWeighted ? weights[k] : 0.0);
     if (insertion.What == PointOutcome::Duplicate)
     {
       result.Duplicates.push_back({ id, order[static_cast<std::size_t>(insertion.Vertex)] });

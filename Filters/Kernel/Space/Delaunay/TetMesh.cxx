@@ -197,10 +197,13 @@ bool TetMesh::IsInConflict(Id cell, const Point3& point, double weight) const
   const Point3& q = this->PointAt(c[1]);
   const Point3& r = this->PointAt(c[2]);
   const Point3& s = this->PointAt(c[3]);
-  const int sign = this->Weights.empty()
-    ? InSphere(p, q, r, s, point)
-    : PowerTest({ p, this->Weights[Index(c[0])] }, { q, this->Weights[Index(c[1])] },
-        { r, this->Weights[Index(c[2])] }, { s, this->Weights[Index(c[3])] }, { point, weight });
+  const auto weightAt = [this, c](int k) { return this->Weights[Index(c[k])]; };
+  const bool isOfPoints = this->Weights.empty() ||
+    (weight == 0.0 && weightAt(0) == 0.0 && weightAt(1) == 0.0 && weightAt(2) == 0.0 &&
+      weightAt(3) == 0.0);
+  const int sign = isOfPoints ? InSphere(p, q, r, s, point)
+                              : PowerTest({ p, weightAt(0) }, { q, weightAt(1) },
+                                  { r, weightAt(2) }, { s, weightAt(3) }, { point, weight });
   return sign > 0 || (sign == 0 && TieInSphere(p, q, r, s, point) > 0);
 }
 

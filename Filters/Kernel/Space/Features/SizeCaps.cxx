@@ -319,6 +319,13 @@ public:
     , Turn(turn)
     , Seen(mesh.NumberOfTriangles(), NoId)
   {
+    this->Rests.reserve(this->Seen.size());
+    for (std::size_t t = 0; t < this->Seen.size(); ++t)
+    {
+      const auto [a, b, c] = mesh.Triangle(t);
+      const double side = std::max(Distance(a, b), std::max(Distance(b, c), Distance(c, a)));
+      this->Rests.push_back(Length(mesh.Normal(t)) / (6.0 * side));
+    }
   }
 
   /// Raises sizes from the middle of t and, where that is a cap and few triangles are nearer, from
@@ -392,11 +399,8 @@ private:
   /// triangles.
   double DistanceTo(std::size_t triangle, const Point3& place) const
   {
-    const std::array<Point3, 3> t = this->Mesh.Triangle(triangle);
-    const double side =
-      std::max(Distance(t[0], t[1]), std::max(Distance(t[1], t[2]), Distance(t[2], t[0])));
-    return Distance(place, NearestPoint(t, place)) +
-      Length(this->Mesh.Normal(triangle)) / (6.0 * side);
+    return Distance(place, NearestPoint(this->Mesh.Triangle(triangle), place)) +
+      this->Rests[triangle];
   }
 
   bool Differ(std::size_t a, std::size_t b, double turn) const
@@ -408,7 +412,8 @@ private:
   SurfaceLinks Links;
   const std::vector<Point3>& Normals;
   double Turn;
-  std::vector<Id> Seen; ///< the search that saw it last
+  std::vector<double> Rests; ///< a sixth of the heights
+  std::vector<Id> Seen;      ///< the search that saw it last
   Id Searches = 0;
   std::vector<Id> Front;
 };
@@ -545,8 +550,11 @@ void GradeSizes(SurfaceGround& ground, double gradation, Pulse& pulse)
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
   const auto lower = [&ground, &front, gradation](Id from, Id other)
   {
-    const double size = ground.Sizes[At(from)] +
-      gradation * Distance(ground.Mesh.Points[At(other)], ground.Mesh.Points[At(from)]);
+    const Point3& place = ground.Mesh.Points[At(from)];
+    const double own = ground.Sizes[At(from)];
+    const double size = own < ground.Sizes[At(other)]
+      ? own + gradation * Distance(ground.Mesh.Points[At(other)], place)
+      : own;
     if (size < ground.Sizes[At(other)])
     {
       ground.Sizes[At(other)] = size;

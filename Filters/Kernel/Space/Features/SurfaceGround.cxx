@@ -355,8 +355,9 @@ double LeastVertices(const SurfaceGround& ground)
   double along = 0.0;
   for (std::size_t t = 0; t < ground.Mesh.NumberOfTriangles(); ++t)
   {
-    const double size = ground.SizeAt(static_cast<Id>(t), ground.Mesh.Middle(t));
-    inside += Length(ground.Mesh.Normal(t)) / (std::sqrt(3.0) * size * size);
+    const Id* c = &ground.Mesh.Corners[3 * t];
+    const double sum = ground.Sizes[At(c[0])] + ground.Sizes[At(c[1])] + ground.Sizes[At(c[2])];
+    inside += 9.0 * Length(ground.Mesh.Normal(t)) / (std::sqrt(3.0) * sum * sum);
   }
   for (Id chain = 0; chain < chains.Size(); ++chain)
   {

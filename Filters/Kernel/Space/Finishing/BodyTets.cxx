@@ -216,6 +216,8 @@ std::vector<Id> BodyTets::GiveBackFacets()
 
 void BodyTets::GiveBack()
 {
+  std::vector<double>().swap(this->Badness);
+  std::vector<std::uint32_t>().swap(this->Stamps);
   const std::vector<Id> records = this->GiveBackFacets();
   const std::vector<Id> numbers = this->DropUnused();
   this->Lines.GiveBack(numbers);
@@ -233,7 +235,6 @@ void BodyTets::GiveBack()
 /// Takes free cells away. `numbers`, `records`: of vertices and of records, the new ones.
 void BodyTets::DropFree(const std::vector<Id>& numbers, const std::vector<Id>& records)
 {
-  std::vector<double>().swap(this->Badness);
   Id kept = 0;
   std::vector<Id> places(At(this->Mesh.NumberOfSlots()), NoId);
   for (Id cell = 0; cell < this->Mesh.NumberOfSlots(); ++cell)

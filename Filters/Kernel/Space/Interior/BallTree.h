@@ -43,6 +43,15 @@ public:
   const GuardedBall& At(Id ball) const { return this->Items[static_cast<std::size_t>(ball)]; }
   Id Size() const { return static_cast<Id>(this->Items.size()); }
 
+  void Add(const GuardedBall& ball)
+  {
+    const Id id = this->Size();
+    this->Items.push_back(ball);
+    this->LastVisits.push_back(id);
+    this->VisitLeaves(
+      ball, this->LargestFor(ball), [this, id](Id node) { this->Prepend(node, id); });
+  }
+
   /// Calls visit(id, other) for all balls that meet `ball`, then adds `ball`.
   template <typename Visit>
   void Add(const GuardedBall& ball, const Visit& visit)
@@ -50,9 +59,8 @@ public:
     const Id id = this->Size();
     this->Items.push_back(ball);
     this->LastVisits.push_back(id);
-    const double largest = std::max(LargestLeaf * ball.Radius, LeastShare * this->Root.HalfSide);
     this->NumberFound = 0;
-    this->VisitLeaves(ball, largest,
+    this->VisitLeaves(ball, this->LargestFor(ball),
       [this, id](Id node)
       {
         this->Collect(node, id);
@@ -97,6 +105,9 @@ private:
   /// Leaves are not cut below this share of half the side of the root.
   static constexpr double LeastShare = 1e-9;
 
+  /// Of a walk: seven cubes wait on each of 31 levels, and eight on the last one.
+  static constexpr std::size_t MostFront = 256;
+
   struct Cube
   {
     Id Node;
@@ -112,6 +123,11 @@ private:
     std::uint32_t Count;
     Id Next; ///< 0: none
   };
+
+  double LargestFor(const GuardedBall& ball) const
+  {
+    return std::max(LargestLeaf * ball.Radius, LeastShare * this->Root.HalfSide);
+  }
 
   const Block& BlockAt(Id block) const { return this->Blocks[static_cast<std::size_t>(block)]; }
   Id& NodeAt(Id node) { return this->Nodes[static_cast<std::size_t>(node)]; }
@@ -149,13 +165,15 @@ private:
         this->Found.resize(2 * (this->NumberFound + block.Balls.size()));
       }
       Id* const found = this->Found.data();
+      Id* const lastVisits = this->LastVisits.data();
+      const std::size_t balls = block.Count;
       std::size_t count = this->NumberFound;
-      for (std::size_t k = 0; k < block.Count; ++k)
+      for (std::size_t k = 0; k < balls; ++k)
       {
-        Id& last = this->LastVisits[static_cast<std::size_t>(block.Balls[k])];
-        found[count] = block.Balls[k];
-        count += last != number ? 1 : 0;
-        last = number;
+        const Id ball = block.Balls[k];
+        found[count] = ball;
+        count += lastVisits[ball] != number ? 1 : 0;
+        lastVisits[ball] = number;
       }
       this->NumberFound = count;
     }
@@ -211,11 +229,12 @@ private:
   template <typename Visit>
   void VisitLeaves(const GuardedBall& ball, double largest, const Visit& visit)
   {
-    this->Front.assign(1, this->Root);
-    while (!this->Front.empty())
+    Cube* const front = this->Front.data();
+    std::size_t size = 1;
+    front[0] = this->Root;
+    while (size > 0)
     {
-      const Cube cube = this->Front.back();
-      this->Front.pop_back();
+      const Cube cube = front[--size];
       if (this->NodeAt(cube.Node) < 0 && 2.0 * cube.HalfSide > largest)
       {
         this->Split(cube);
@@ -231,7 +250,7 @@ private:
       {
         if (isMet[static_cast<std::size_t>(child)])
         {
-          this->Front.push_back(Child(cube, first, child));
+          front[size++] = Child(cube, first, child);
         }
       }
     }
@@ -301,7 +320,7 @@ private:
   std::vector<Id> Nodes{ ~0 }; ///< the first of eight children, or a leaf: ~ its first block
   std::vector<Block> Blocks;   ///< the first one stands for none
   Id FirstFree = 0;            ///< of the blocks that no leaf has
-  std::vector<Cube> Front;     ///< of the walk
+  std::array<Cube, MostFront> Front{}; ///< of the walk
   std::vector<Id> Moved;
   std::vector<Id> Found; ///< by a visit, then anything
   std::size_t NumberFound = 0;

@@ -126,8 +126,7 @@ private:
     constexpr double Room = 1.02; // between guard and sphere
     if (guard > 0.0)
     {
-      this->Tree.Add(this->Bite(center, std::max(radius, Room * guard), guard, frame),
-        [](Id, const GuardedBall&) {});
+      this->Tree.Add(this->Bite(center, std::max(radius, Room * guard), guard, frame));
     }
   }
 

@@ -93,8 +93,8 @@ public:
       // Facets far from the surface close connections and holes off, though none is at fault.
       if (faults == 0 || (round >= RoundsForSoft && this->AreSoft()))
       {
-        if (torn < MostTorn && !this->Compare().IsSame &&
-          this->LowerSizes(this->FindFar(LeastTornShare)))
+        this->IsWhole = torn < MostTorn && this->Compare().IsSame;
+        if (torn < MostTorn && !this->IsWhole && this->LowerSizes(this->FindFar(LeastTornShare)))
         {
           ++torn;
           before = std::numeric_limits<std::size_t>::max();
@@ -141,6 +141,7 @@ private:
       return;
     }
     MergeCorners(this->Ground);
+    this->IsWhole = false;
     this->Bites = BiteSurface(
       this->Ground, static_cast<std::size_t>(this->Options.MaximumNumberOfVertices), this->Beats);
     if (this->Bites.Size() > this->Options.MaximumNumberOfVertices)
@@ -150,8 +151,8 @@ private:
     }
     MovePoints(this->Bites.Centers, this->Options.Origin);
     MovePoints(this->Bites.Centers, -1.0 * this->Options.Origin);
-    this->Boundary =
-      FindBoundary(this->Surface.Mesh, this->Ground, this->Bites, this->Tree, this->Beats);
+    this->Boundary = FindBoundary(this->Surface.Mesh, this->Ground, this->Bites, this->Tree,
+      this->Result.HasBalls, this->Beats);
   }
 
   bool MayGoOn() { return biting::MayGoOn(this->Problems, this->Beats); }
@@ -189,7 +190,7 @@ private:
     {
       return false;
     }
-    const WholeVerdict verdict = this->Compare();
+    const WholeVerdict verdict = this->IsWhole ? WholeVerdict() : this->Compare();
     if (!verdict.IsSame)
     {
       this->Refuse(ProblemCode::TooThin, verdict.Place, verdict.Triangle, verdict.What);
@@ -207,13 +208,13 @@ private:
   {
     SurfaceGround& ground = this->Ground;
     ground.Mesh = this->Surface.Mesh;
-    const std::size_t triangles = ground.Mesh.NumberOfTriangles();
-    for (std::size_t t = 0; t < triangles; ++t)
+    ground.Normals.resize(ground.Mesh.NumberOfTriangles());
+    for (std::size_t t = 0; t < ground.Normals.size(); ++t)
     {
       ground.Mesh.Cells[t] = static_cast<Id>(t);
       const Point3 normal = ground.Mesh.Normal(t);
       const double length = Length(normal);
-      ground.Normals.push_back(length > 0.0 ? (1.0 / length) * normal : Point3{});
+      ground.Normals[t] = length > 0.0 ? (1.0 / length) * normal : Point3{};
     }
     FlagFeatures(ground, this->Options.Regions, this->Options.FeatureAngle, this->Beats);
     const double uniform = 0.02 * this->Surface.Mesh.Bounds().Diagonal();
@@ -383,7 +384,6 @@ private:
     keep(this->Bites.Centers);
     keep(this->Bites.Sizes);
     keep(this->Bites.Radii);
-    keep(this->Bites.Guards);
     keep(this->Bites.Triangles);
     keep(this->Bites.GroundVertices);
   }
@@ -470,10 +470,9 @@ private:
       return {};
     }
     constexpr std::size_t CheapSteps = 31;
-    const std::size_t facets = this->Boundary.Triangles.size();
     const std::vector<Id>& corners = this->Boundary.Corners;
-    std::vector<std::uint8_t> isFar(facets, 0);
-    ForRowsAtOnce(this->Beats, facets, CheapSteps,
+    std::vector<std::uint8_t> isFar(this->Boundary.Triangles.size(), 0);
+    ForRowsAtOnce(this->Beats, isFar.size(), CheapSteps,
       [this, leastShare, &corners, &isFar](std::size_t begin, std::size_t end)
       {
         for (std::size_t t = begin; t < end; ++t)
@@ -489,7 +488,8 @@ private:
             least = std::min(least, this->Bites.Sizes[bite] / this->GivenAt(corners[slot]));
           }
           const double most = 2.0 * this->Options.BoundaryTolerance * size;
-          const bool isNear =
+          const auto below = this->Surface.Mesh.Triangle(At(this->Boundary.Triangles[t]));
+          const bool isNear = Distance(NearestPoint(below, middle), middle) < most ||
             NearestTriangle(this->Surface.Mesh, this->Tree, middle, most).first != NoId;
           isFar[t] = least > leastShare && !isNear ? 1 : 0;
         }
@@ -513,6 +513,7 @@ private:
   BoxTree<SurfaceItem, 3>& Tree;
   SurfaceBoundary& Boundary;
   CertifiedSurface& Result;
+  bool IsWhole = false; ///< Compare has found no difference since the last bites
   ProblemList& Problems;
   Pulse Beats;
 };

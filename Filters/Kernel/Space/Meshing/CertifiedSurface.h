@@ -26,6 +26,7 @@ struct CertifiedSurface
   SurfaceBoundary Boundary;     ///< without offences
   double AskedVertices = 0.0;   ///< about how many f as given asks for
   int RoundsForFar = 0;         ///< as given: at most so many halve f where facets are far
+  bool HasBalls = true;         ///< as given: the boundary has BallCenters
 };
 
 /// Fills `result`, in rounds: where certificates fail, f is lowered or turning lines are given up.

@@ -77,12 +77,12 @@ BitingSurface MeshSurface(const CheckedSurface& surface, const SurfaceMesherOpti
   Pulse pulse(monitor);
   CertifiedSurface certified;
   certified.RoundsForFar = 2;
+  certified.HasBalls = false;
   BitingSurface mesh;
   if (CertifySurface(surface, options, SidesOf(surface), certified, problems, monitor))
   {
     monitor.BeginStage("Relaxing");
-    certified.Boundary.Sides = {};
-    certified.Boundary.BallCenters = {};
+    std::vector<TriangleSides>().swap(certified.Boundary.Sides);
     Relax(certified, options.Relaxation, mesh, pulse);
     DescribeMesh(surface, certified, options, mesh, pulse);
   }
