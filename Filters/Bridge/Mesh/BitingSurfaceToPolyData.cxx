@@ -155,7 +155,7 @@ std::string BitingSurfaceToPolyData(const BitingSurface& mesh, const CheckedSurf
   AddArray<vtkIdTypeArray>(cellData, "RegionId", mesh.Regions, pulse);
   AddArray<vtkDoubleArray>(cellData, "Deviation", mesh.Deviations, pulse);
   AddShapeArrays(quality, cellData, pulse);
-  cellData->SetActiveScalars("RegionId");
+  cellData->SetActiveScalars("MinimumAngle");
   AddFigures(mesh, quality, output->GetFieldData());
   return SummaryOf(mesh, quality);
 }

@@ -84,7 +84,7 @@ void SurfaceToPolyData(const CheckedSurface& surface, const ProblemList& problem
   CarryArrays(drawing.CellArrays, drawing.NumberOfCells, mesh.Cells, cellData, pulse);
   AddArray<vtkIdTypeArray>(cellData, "OriginalCellId", mesh.Cells, pulse);
   AddArray<vtkIdTypeArray>(cellData, "RegionId", surface.Shells.RegionOf, pulse);
-  cellData->SetActiveScalars("RegionId");
+  cellData->SetActiveScalars(surface.Figures.Parts > 1 ? "RegionId" : nullptr);
   AddFigures(surface, problems, output->GetFieldData());
 }
 
