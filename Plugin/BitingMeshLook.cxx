@@ -67,7 +67,7 @@ constexpr const char* Representations = R"({ "representations" : {
     "RenderPointsAsSpheres" : 1, "AmbientColor" : [ 1, 0.1, 0.1 ],
     "DiffuseColor" : [ 1, 0.1, 0.1 ] },
   "BitingHistogramsRepresentation" : { "SeriesVisibility" : [ "Angle", "0", "AnglePercent", "1",
-    "DihedralAngle", "0", "DihedralAnglePercent", "1",
+    "DihedralAngle", "0",
     "Conformity", "0", "ConformityPercent", "0", "RelativeLength", "0",
     "RelativeLengthPercent", "0" ] } } })";
 

@@ -15,8 +15,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath> // for NaN
 #include <algorithm> // for is_permutation, min
+#include <cmath>     // for NaN
 #include <map>       // for regions
 
 using namespace testing_filters;

@@ -110,7 +110,7 @@ void SurfaceReader::CutCorners(int type)
   const std::size_t size = this->Outline.size();
   const bool isQuadratic = type == VTK_QUADRATIC_TRIANGLE || type == VTK_BIQUADRATIC_TRIANGLE ||
     type == VTK_QUADRATIC_QUAD || type == VTK_BIQUADRATIC_QUAD || type == VTK_QUADRATIC_POLYGON;
-  if (isQuadratic && size >= 6)
+  if (isQuadratic && size >= 6 && size % 2 == 0)
   {
     std::vector<vtkIdType> sides;
     for (std::size_t corner = 0; corner < size; corner += 2)

@@ -15,6 +15,7 @@
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 
 #include <algorithm> // for clamp, fill_n, max, min, sort
 #include <cmath>     // for floor, isnan, nan
