@@ -6,6 +6,7 @@
 #include "Bridge/Data/ArrayFromVector.h"
 #include "Bridge/Ranks/Ranks.h"
 #include "Bridge/Run/FilterRun.h"
+#include "Bridge/Run/ProblemReport.h"
 #include "Kernel/Base/Pulse.h"
 #include "Kernel/Space/Delaunay/SpaceTriangulation.h"
 
@@ -43,24 +44,19 @@ constexpr const char* FlatSentences[] = {
 //------------------------------------------------------------------------------
 std::string DuplicatesText(std::vector<biting::PointPair> pairs)
 {
-  constexpr std::size_t Listed = 5;
-  if (pairs.empty())
-  {
-    return {};
-  }
   std::sort(pairs.begin(), pairs.end(),
     [](const biting::PointPair& a, const biting::PointPair& b) { return a.Point < b.Point; });
-  std::string text = std::to_string(pairs.size()) +
-    (pairs.size() == 1
-        ? " point lies at the place of another one and is a corner of no tetrahedron:"
-        : " points lie at the places of others and are corners of no tetrahedra:");
-  for (std::size_t k = 0; k < std::min(Listed, pairs.size()); ++k)
+  std::vector<std::string> first;
+  for (std::size_t k = 0; k < std::min(biting::ShownIds, pairs.size()); ++k)
   {
-    text += std::string(k == 0 ? " " : ", ") + "point " + std::to_string(pairs[k].Point) +
-      " at point " + std::to_string(pairs[k].Of);
+    first.push_back(
+      "point " + std::to_string(pairs[k].Point) + " at point " + std::to_string(pairs[k].Of));
   }
-  return text +
-    (pairs.size() > Listed ? ", and " + std::to_string(pairs.size() - Listed) + " more." : ".");
+  const std::string what = pairs.size() == 1
+    ? " point lies at the place of another one and is a corner of no tetrahedron: "
+    : " points lie at the places of others and are corners of no tetrahedra: ";
+  const auto count = static_cast<std::int64_t>(pairs.size());
+  return count == 0 ? "" : std::to_string(count) + what + biting::ListText(first, count) + ".";
 }
 
 } // namespace

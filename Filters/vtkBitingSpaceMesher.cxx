@@ -108,6 +108,7 @@ bool vtkBitingSpaceMesher::Execution::ReadParameters()
   this->Options.KeepBites = filter.GenerateBites;
   return this->Accept(biting::CheckSpacingParameters(this->Spacing)) &&
     this->Accept(biting::CheckAtLeastZero("Boundary Tolerance", filter.BoundaryTolerance)) &&
+    this->Accept(biting::CheckAtLeastZero("Feature Angle", filter.FeatureAngle)) &&
     this->Accept(biting::CheckMergeTolerance(filter.MergeTolerance)) &&
     this->Accept(biting::CheckMostVertices(filter.MaximumNumberOfVertices)) &&
     this->ReadOwnParameters();
@@ -196,7 +197,8 @@ bool vtkBitingSpaceMesher::Execution::Check()
   }
   return this->AcceptProblems(nullptr) && !this->WasAborted() &&
     this->Accept(this->Surface.Mesh.NumberOfTriangles() == 0
-        ? "The surface is no larger than the rounding of its coordinates, or than Merge Tolerance."
+        ? "All triangles are flat, or no larger than the rounding of their coordinates or Merge "
+          "Tolerance."
         : "");
 }
 

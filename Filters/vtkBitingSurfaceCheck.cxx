@@ -59,18 +59,6 @@ vtkBitingSurfaceCheck::vtkBitingSurfaceCheck()
 }
 
 //------------------------------------------------------------------------------
-vtkPolyData* vtkBitingSurfaceCheck::GetFeatureEdges()
-{
-  return this->GetOutput(1);
-}
-
-//------------------------------------------------------------------------------
-vtkPolyData* vtkBitingSurfaceCheck::GetProblems()
-{
-  return this->GetOutput(2);
-}
-
-//------------------------------------------------------------------------------
 int vtkBitingSurfaceCheck::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
@@ -126,7 +114,10 @@ void vtkBitingSurfaceCheck::Execution::Check(
   options.FeatureAngle = this->Filter->FeatureAngle;
   const biting::CheckedSurface surface =
     biting::CheckSurface(std::move(given.Mesh), options, this->Problems, this->Progress);
-  if (!this->WasAborted())
+  if (!this->WasAborted() &&
+    this->Accept(surface.Mesh.NumberOfTriangles() == 0
+        ? "All triangles are flat, or no larger than the rounding of their coordinates."
+        : ""))
   {
     this->Progress.BeginStage("Writing the surface");
     this->Write(surface, drawing, outputs);

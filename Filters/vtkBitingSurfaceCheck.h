@@ -114,8 +114,8 @@ public:
   /**
    * Outputs 1 and 2.
    */
-  vtkPolyData* GetFeatureEdges();
-  vtkPolyData* GetProblems();
+  vtkPolyData* GetFeatureEdges() { return this->GetOutput(1); }
+  vtkPolyData* GetProblems() { return this->GetOutput(2); }
 
   /**
    * The surface in a few lines, and what is wrong with it; or why nothing could be checked.

@@ -79,6 +79,14 @@ bool vtkBitingTetrahedralizer::Execution::ReadOwnParameters()
 //------------------------------------------------------------------------------
 void vtkBitingTetrahedralizer::Execution::MakeMesh()
 {
+  // Beyond, products of lengths that angles are compared by leave the range of doubles.
+  const double size = this->Surface.Mesh.Bounds().Diagonal();
+  if (!(size >= 1e-15 && size <= 1e30))
+  {
+    this->Refuse("The diagonal of the surface is " + biting::Figure(size, 6) +
+      ": too small or too large to compute volumes with. Scale it, as by Transform.");
+    return;
+  }
   this->Own.Surface = this->Options;
   this->Own.Surface.Relaxation = this->Options.Relaxation && this->Own.MaximumNumberOfBites == 0;
   if (!this->Regions.Array)

@@ -7,6 +7,7 @@
 #include "pqOutputPort.h"
 #include "pqView.h"
 #include "vtkBoundingBox.h"
+#include "vtkDataObject.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -31,6 +32,7 @@ constexpr Title LegendTitles[] = { { "MinimumAngle", "Smallest angle (degrees)" 
   { "AspectRatio", "Aspect ratio" } };
 
 constexpr Title AxisTitles[] = { { "Angle", "Angle of triangles (degrees)" },
+  { "DihedralAngle", "Dihedral angle of tetrahedra (degrees)" },
   { "Conformity", "Conformity of vertices (best: 1)" },
   { "RelativeLength", "Length of edges / spacing" } };
 
@@ -52,6 +54,20 @@ bool IsHigh(pqView* view)
     }
   }
   return box.IsValid() && box.GetLength(1) > box.GetLength(0);
+}
+
+// Of tetrahedra there is no column Angle. A chart that has a title is one of a state.
+void ChooseBins(pqDataRepresentation* histograms)
+{
+  constexpr const char* Bins = "DihedralAngle";
+  vtkPVDataInformation* table = histograms->getOutputPortFromInput()->getDataInformation();
+  vtkSMProxy* proxy = histograms->getProxy();
+  if (Text(histograms->getView()->getProxy(), "BottomAxisTitle").empty() &&
+    table->GetArrayInformation(Bins, vtkDataObject::ROW))
+  {
+    vtkSMPropertyHelper(proxy, "XArrayName").Set(Bins);
+    proxy->UpdateVTKObjects();
+  }
 }
 
 // Titles that are not ours are the user's.
@@ -99,6 +115,7 @@ void SetUpLegend(pqRepresentation* legend)
 
 void NameAxes(pqDataRepresentation* histograms)
 {
+  ChooseBins(histograms);
   pqView* chart = histograms->getView();
   QObject::connect(chart, &pqView::beginRender, histograms,
     [histograms, chart] { NameAxesOf(histograms->getProxy(), chart->getProxy()); });

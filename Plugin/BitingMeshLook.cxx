@@ -29,6 +29,9 @@ constexpr const char* ColorsOfArrays = R"({ "array_lookup_tables" : {
     "Annotations" : [ "0", "Vertices", "1", "Edges",
       "2", "Interior", "3", "Front" ], "IndexedColors" : [ 0.83, 0.42, 0.25, 0.95, 0.7, 0.2,
       0.3, 0.55, 0.85, 0.9, 0, 0 ] } },
+  "EdgeKind" : { "PVLookupTable" : { "IndexedLookup" : 1,
+    "Annotations" : [ "0", "Feature", "1", "Border", "2", "More than two triangles" ],
+    "IndexedColors" : [ 0.1, 0.1, 0.1, 1, 0.1, 0.1, 0.8, 0, 0.8 ] } },
   "ProblemKind" : { "PVLookupTable" : { "IndexedLookup" : 1, "AutomaticRescaleRangeMode" : 3,
     "ShowIndexedColorActiveValues" : 1, "Annotations" : [
       "0", "Duplicate points", "1", "Zero length", "2", "Overlapping segments", "3", "Crossing",
@@ -64,6 +67,7 @@ constexpr const char* Representations = R"({ "representations" : {
     "RenderPointsAsSpheres" : 1, "AmbientColor" : [ 1, 0.1, 0.1 ],
     "DiffuseColor" : [ 1, 0.1, 0.1 ] },
   "BitingHistogramsRepresentation" : { "SeriesVisibility" : [ "Angle", "0", "AnglePercent", "1",
+    "DihedralAngle", "0",
     "Conformity", "0", "ConformityPercent", "0", "RelativeLength", "0",
     "RelativeLengthPercent", "0" ] } } })";
 

@@ -83,6 +83,7 @@ bool MeshFileLines::PassTitle()
 {
   this->Position = 0;
   this->IsAtEnd = !std::getline(this->File, this->Text);
+  this->IsWhole = this->IsAtEnd ? this->IsWhole : !this->File.eof();
   this->Number += this->IsAtEnd ? 0 : 1;
   return !this->IsAtEnd;
 }

@@ -57,6 +57,9 @@ public:
   /// Passes over a line, empty or not; false at the end of the file.
   bool PassTitle();
 
+  /// Whether the last line that was read is a whole one; where not, the file may be cut.
+  bool IsWholeLine() const { return this->IsWhole; }
+
   /// Goes to the next line and reads values from its beginning.
   template <typename... Values>
   bool Read(Values&... values)
@@ -106,6 +109,7 @@ private:
   std::istringstream Real;
   std::size_t Number = 0;
   bool IsAtEnd = false;
+  bool IsWhole = true;
 };
 
 /// A kind of cell of a file: 2 corners of an edge, 3 of a triangle, 4 of a quad or of a

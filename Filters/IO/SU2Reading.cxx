@@ -60,10 +60,15 @@ public:
     {
       isRead = this->ReadSection();
     }
-    for (const char* key : { "NDIME", "NELEM", "NPOIN", "NMARK" })
+    for (const char* key : { "NDIME", "NELEM", "NPOIN" })
     {
       isRead = isRead &&
         (this->Keys.count(key) > 0 || this->Out.Fail("the line " + std::string(key) + "="));
+    }
+    if (isRead && this->Keys.count("NMARK") == 0) // as Gmsh writes it where there is no group
+    {
+      this->Out.Remark("The file has no line NMARK=, and so no tags.");
+      isRead = this->In.IsWholeLine() || this->Out.Fail("the line NMARK=");
     }
     if (isRead && this->ReadMarkers != this->NumberOfMarkers)
     {

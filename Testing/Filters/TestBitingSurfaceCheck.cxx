@@ -10,6 +10,7 @@
 #include "vtkCellType.h"
 #include "vtkCubeSource.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPoints.h"
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
 #include "vtkTriangleFilter.h"
@@ -18,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm> // for find_if
+#include <cmath>     // for places
 #include <limits>    // for NaN
 
 using namespace testing_filters;
@@ -116,6 +118,39 @@ TEST(BitingSurfaceCheck, TakesStripsAndGridsAsPolygons)
   EXPECT_NEAR(FigureOf(filter, "Volume"), volume, 1e-12);
 }
 
+// No two of them have a triangle along the side between them, and so twice.
+TEST(BitingSurfaceCheck, DividesQuadraticCellsAtThePointsOfTheirSides)
+{
+  // An octahedron whose sides are drawn out to a sphere.
+  const int corners[8][3] = { { 0, 1, 2 }, { 1, 3, 2 }, { 3, 4, 2 }, { 4, 0, 2 }, { 1, 0, 5 },
+    { 3, 1, 5 }, { 4, 3, 5 }, { 0, 4, 5 } };
+  const double places[6][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 },
+    { -1.0, 0.0, 0.0 }, { 0.0, -1.0, 0.0 }, { 0.0, 0.0, -1.0 } };
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  grid->SetPoints(points);
+  for (const auto& triangle : corners)
+  {
+    vtkIdType ids[6];
+    for (int k = 0; k < 3; ++k)
+    {
+      const double* a = places[triangle[k]];
+      const double* b = places[triangle[(k + 1) % 3]];
+      ids[k] = points->InsertNextPoint(a);
+      const double half = std::sqrt(0.5);
+      ids[k + 3] =
+        points->InsertNextPoint(half * (a[0] + b[0]), half * (a[1] + b[1]), half * (a[2] + b[2]));
+    }
+    grid->InsertNextCell(VTK_QUADRATIC_TRIANGLE, 6, ids);
+  }
+  vtkNew<vtkBitingSurfaceCheck> filter;
+  filter->SetInputData(grid);
+  filter->Update();
+  EXPECT_EQ(FigureOf(filter, "OpenEdges"), 0.0);
+  EXPECT_EQ(FigureOf(filter, "EulerNumber"), 2.0);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 32);
+}
+
 TEST(BitingSurfaceCheck, TellsProblemsWithPlacesIdsAndWords)
 {
   vtkNew<vtkAppendPolyData> both;
@@ -153,6 +188,7 @@ TEST(BitingSurfaceCheck, RefusesWhatIsNoSurfaceWithAReason)
   cube->GetPoints()->SetPoint(3, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
   EXPECT_TRUE(Has(ReasonOf(cube), "point 3 at "));
   EXPECT_TRUE(Has(ReasonOf(UnitSquare()), "no surface"));
+  EXPECT_TRUE(Has(ReasonOf(Cube(0.0, 1e-60)), "no larger than the rounding"));
 }
 
 TEST(BitingSurfaceCheck, HasNothingToSayOfNothing)

@@ -13,6 +13,7 @@
 #include "vtkImageData.h"
 #include "vtkMassProperties.h"
 #include "vtkPlaneSource.h"
+#include "vtkStructuredGrid.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -20,6 +21,7 @@
 
 #include <cmath>   // for spheres
 #include <numeric> // for means
+#include <vector>  // for values
 
 using namespace testing_filters;
 
@@ -181,6 +183,76 @@ TEST(BitingSurfaceMesher, FollowsASourceOfSpace)
   filter->Update();
   EXPECT_NEAR(static_cast<double>(filter->GetOutput()->GetNumberOfPoints()),
     static_cast<double>(ofImage), 0.01 * static_cast<double>(ofImage));
+}
+
+TEST(BitingSurfaceMesher, FollowsATurnedImageWithHolesTooAndHeedsNoHiddenPoint)
+{
+  // A field of x, in an image whose first axis runs along y; a corner is unknown, a side hidden.
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 21, 3);
+  image->SetOrigin(-0.5, 0.5, -0.5);
+  image->SetSpacing(0.5, 0.05, 0.5);
+  image->SetDirectionMatrix(0, 1, 0, -1, 0, 0, 0, 0, 1);
+  std::vector<double> values;
+  for (vtkIdType point = 0; point < image->GetNumberOfPoints(); ++point)
+  {
+    values.push_back(0.02 + 0.1 * (image->GetPoint(point)[0] + 0.5));
+  }
+  AddArray<vtkDoubleArray>(image->GetPointData(), "Size", values);
+  vtkNew<vtkBitingSurfaceMesher> filter;
+  filter->SetInputData(Sphere());
+  filter->SetSpacingSourceData(GradedImage("Size", 0.02, 0.1));
+  filter->Update();
+  const auto expected = static_cast<double>(filter->GetOutput()->GetNumberOfPoints());
+  filter->SetSpacingSourceData(image);
+  filter->Update();
+  EXPECT_NEAR(static_cast<double>(filter->GetOutput()->GetNumberOfPoints()), expected, 9.0);
+
+  vtkDataArray* sizes = image->GetPointData()->GetArray("Size");
+  vtkIdType corner = image->FindPoint(0.5, 0.5, 0.5);
+  sizes->SetTuple1(corner, std::nan(""));
+  sizes->Modified();
+  image->Modified();
+  filter->Update();
+  EXPECT_NEAR(static_cast<double>(filter->GetOutput()->GetNumberOfPoints()), expected, 9.0);
+
+  sizes->SetTuple1(corner, 1e-4);
+  image->AllocatePointGhostArray();
+  image->GetPointGhostArray()->SetValue(corner, vtkDataSetAttributes::HIDDENPOINT);
+  image->Modified();
+  filter->Update();
+  EXPECT_NEAR(static_cast<double>(filter->GetOutput()->GetNumberOfPoints()), expected, 9.0);
+}
+
+// A step of zero made indices of NaN; VTK finds no place in a cell that is so far away.
+TEST(BitingSurfaceMesher, TakesSlicesWithoutThicknessAndGridsFarAway)
+{
+  vtkNew<vtkImageData> slice;
+  slice->SetDimensions(9, 9, 1);
+  slice->SetOrigin(-0.5, -0.5, 0.0);
+  slice->SetSpacing(0.125, 0.125, 0.0);
+  AddArray<vtkDoubleArray>(slice->GetPointData(), "Size", std::vector<double>(81, 0.1));
+  vtkNew<vtkPlaneSource> plane;
+  vtkNew<vtkBitingSurfaceMesher> filter;
+  filter->SetInputConnection(plane->GetOutputPort());
+  filter->SetSpacingSourceData(slice);
+  filter->Update();
+  EXPECT_NEAR(MeanLengthOverSpacing(filter->GetOutput()), 1.0, 0.1);
+  EXPECT_NEAR(MeanOf(filter->GetOutput()->GetPointData()->GetArray("Spacing")), 0.1, 1e-9);
+
+  vtkNew<vtkStructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  grid->SetDimensions(9, 9, 9);
+  for (int k = 0; k < 729; ++k)
+  {
+    points->InsertNextPoint(100.0 + k % 9 / 8.0, 100.0 + k / 9 % 9 / 8.0, 100.0 + k / 81 / 8.0);
+  }
+  grid->SetPoints(points);
+  AddArray<vtkDoubleArray>(grid->GetPointData(), "Size", std::vector<double>(729, 0.1));
+  filter->SetInputData(Sphere());
+  filter->SetSpacingSourceData(grid);
+  filter->Update();
+  EXPECT_NEAR(MeanLengthOverSpacing(filter->GetOutput()), 1.0, 0.1);
 }
 
 TEST(BitingSurfaceMesher, GradesAFieldThatJumps)

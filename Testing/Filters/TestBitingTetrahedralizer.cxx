@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm> // for is_permutation, min
+#include <cmath>     // for NaN
 #include <map>       // for regions
 
 using namespace testing_filters;
@@ -445,6 +446,11 @@ TEST(BitingTetrahedralizer, RefusesWithAPlaceWhatItCannotFill)
   filter->SetRegionArray("");
   filter->SetUniformSpacing(1e-3);
   EXPECT_TRUE(Has(ReasonOf(filter), "Maximum Number Of Vertices"));
+  filter->SetUniformSpacing(0.0);
+  filter->SetInputData(Cube(1e-20));
+  EXPECT_TRUE(Has(ReasonOf(filter), "Scale it"));
+  filter->SetFeatureAngle(std::nan(""));
+  EXPECT_TRUE(Has(ReasonOf(filter), "Feature Angle"));
 }
 
 TEST(BitingTetrahedralizer, SaysHowManyVerticesCapsMakeAndRefusesTooManyBeforeItBites)

@@ -69,13 +69,15 @@ GhostArrays::GhostArrays(vtkDataSet* data)
 {
 }
 
+bool GhostArrays::IsHidden(vtkIdType point) const
+{
+  return HasFlag(this->OfPoints, point, vtkDataSetAttributes::HIDDENPOINT);
+}
+
 bool GhostArrays::LeaveOut(vtkIdType cell, vtkIdType size, const vtkIdType* points) const
 {
   return HasFlag(this->OfCells, cell, CellsNotHere) ||
-    (this->OfPoints &&
-      std::any_of(points, points + size,
-        [this](vtkIdType point)
-        { return HasFlag(this->OfPoints, point, vtkDataSetAttributes::HIDDENPOINT); }));
+    std::any_of(points, points + size, [this](vtkIdType point) { return this->IsHidden(point); });
 }
 
 bool HasGhosts(vtkDataSet* data, int association, int flags)

@@ -36,6 +36,8 @@ class GhostArrays
 public:
   explicit GhostArrays(vtkDataSet* data);
 
+  bool IsHidden(vtkIdType point) const;
+
   /// Whether a cell has one of CellsNotHere, or a hidden point.
   bool LeaveOut(vtkIdType cell, vtkIdType size, const vtkIdType* points) const;
 

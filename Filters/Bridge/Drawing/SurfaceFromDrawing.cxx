@@ -9,17 +9,16 @@
 #include "../Data/Cells.h"
 #include "../Run/ProblemReport.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkCellTypes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkPolygon.h"
 
-#include <algorithm> // for min, sort, unique
+#include <algorithm> // for all_of, copy_if, min
 #include <cmath>     // for abs
+#include <iterator>  // for back_inserter
 #include <limits>    // for the size check
 
 namespace biting
@@ -41,8 +40,8 @@ public:
   std::string Read(const DrawingBlock& block);
 
 private:
-  std::string ReadCells(vtkCellArray* cells, int type);
-  std::string AddCell(int type);
+  std::string AddCell(const SeenCell& cell);
+  void CutCorners(int type);
   void AddStrip();
   void AddFace();
   void AddQuad();
@@ -59,8 +58,7 @@ private:
   vtkIdType NumberOfPoints = 0;
   vtkIdType FirstPoint = 0;
   vtkIdType FirstCell = 0;
-  vtkIdType Cell = 0; ///< in the block
-  vtkNew<vtkIdList> Points;
+  vtkIdType Cell = 0;             ///< in the block
   std::vector<vtkIdType> Outline; ///< of the cell at hand
   vtkNew<vtkPolygon> Polygon;
   vtkNew<vtkIdList> Ears;
@@ -73,63 +71,55 @@ std::string SurfaceReader::Read(const DrawingBlock& block)
   this->NumberOfPoints = block.Data->GetNumberOfPoints();
   this->FirstPoint = block.FirstPoint;
   this->FirstCell = block.FirstCell;
-  this->Cell = 0;
-  if (auto* polyData = vtkPolyData::SafeDownCast(block.Data))
-  {
-    // By its lists: asking poly data for a cell by its id would build something in it.
-    this->Cell = polyData->GetNumberOfVerts() + polyData->GetNumberOfLines();
-    const std::string refusal = this->ReadCells(polyData->GetPolys(), VTK_POLYGON);
-    return refusal.empty() ? this->ReadCells(polyData->GetStrips(), VTK_TRIANGLE_STRIP) : refusal;
-  }
-  std::string refusal;
-  const vtkIdType count = block.Data->GetNumberOfCells();
-  for (; this->Cell < count && refusal.empty() && this->Beats.Beat(); ++this->Cell)
-  {
-    block.Data->GetCellPoints(this->Cell, this->Points);
-    refusal = this->AddCell(block.Data->GetCellType(this->Cell));
-  }
-  return refusal;
+  return VisitCells(
+    block.Data, [this](const SeenCell& cell) { return this->AddCell(cell); }, this->Beats);
 }
 
-std::string SurfaceReader::ReadCells(vtkCellArray* cells, int type)
+std::string SurfaceReader::AddCell(const SeenCell& cell)
 {
-  std::string refusal;
-  const vtkIdType count = cells->GetNumberOfCells();
-  for (vtkIdType k = 0; k < count && refusal.empty() && this->Beats.Beat(); ++k, ++this->Cell)
-  {
-    cells->GetCellAtId(k, this->Points);
-    refusal = this->AddCell(type);
-  }
-  return refusal;
-}
-
-// Expects the points of the cell in Points.
-std::string SurfaceReader::AddCell(int type)
-{
-  const vtkIdType size = this->Points->GetNumberOfIds();
-  const vtkIdType* points = this->Points->GetPointer(0);
+  this->Cell = cell.Id;
   const std::string missing =
-    MissingPointText("the input", this->Cell, size, points, this->NumberOfPoints);
-  const CellShape shape = ShapeOf(type);
-  if (!missing.empty() || this->Ghosts->LeaveOut(this->Cell, size, points))
+    MissingPointText("the input", cell.Id, cell.Size, cell.Points, this->NumberOfPoints);
+  const CellShape shape = ShapeOf(cell.Type);
+  if (!missing.empty() || this->Ghosts->LeaveOut(cell.Id, cell.Size, cell.Points))
   {
     return missing;
   }
   if (shape == CellShape::Volume || shape == CellShape::Curved)
   {
-    return "Cell " + std::to_string(this->FirstCell + this->Cell) + " is a " +
-      vtkCellTypes::GetClassNameFromTypeId(type) + "; the input must be a surface (apply " +
+    return "Cell " + std::to_string(this->FirstCell + cell.Id) + " is a " +
+      vtkCellTypes::GetClassNameFromTypeId(cell.Type) + "; the input must be a surface (apply " +
       (shape == CellShape::Volume ? "Extract Surface" : "Tessellate") + " before it).";
   }
   if (shape == CellShape::Face || shape == CellShape::Strip)
   {
-    PointsAlong(type, size, points, this->Outline);
+    PointsAlong(cell.Type, cell.Size, cell.Points, this->Outline);
+    this->CutCorners(cell.Type);
     shape == CellShape::Face ? this->AddFace() : this->AddStrip();
   }
   constexpr std::size_t Limit = std::numeric_limits<Id>::max();
   return this->Mesh.Corners.size() > Limit
     ? "The input has more corners than 32-bit ids can number."
     : "";
+}
+
+// Of a quadratic cell: between them are the points of its sides. No triangle lies along a side,
+// where the neighbor could have the same one.
+void SurfaceReader::CutCorners(int type)
+{
+  const std::size_t size = this->Outline.size();
+  const bool isQuadratic = type == VTK_QUADRATIC_TRIANGLE || type == VTK_BIQUADRATIC_TRIANGLE ||
+    type == VTK_QUADRATIC_QUAD || type == VTK_BIQUADRATIC_QUAD || type == VTK_QUADRATIC_POLYGON;
+  if (isQuadratic && size >= 6 && size % 2 == 0)
+  {
+    std::vector<vtkIdType> sides;
+    for (std::size_t corner = 0; corner < size; corner += 2)
+    {
+      this->Add((corner + size - 1) % size, corner, corner + 1);
+      sides.push_back(this->Outline[corner + 1]);
+    }
+    this->Outline = sides;
+  }
 }
 
 void SurfaceReader::Add(std::size_t a, std::size_t b, std::size_t c)
@@ -259,13 +249,8 @@ std::string SurfaceFromDrawing(const Drawing& drawing, GivenSurface& surface, Mo
   {
     isUsed[corner] = 1;
   }
-  for (std::size_t point = 0; point < isUsed.size(); ++point)
-  {
-    if (isUsed[point])
-    {
-      used.push_back(static_cast<Id>(point));
-    }
-  }
+  std::copy_if(surface.Mesh.PointIds.begin(), surface.Mesh.PointIds.end(), std::back_inserter(used),
+    [&isUsed](Id point) { return isUsed[static_cast<std::size_t>(point)] != 0; });
   if (used.empty())
   {
     return {};

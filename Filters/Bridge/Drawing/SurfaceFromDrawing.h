@@ -23,11 +23,11 @@ struct GivenSurface
 
 /// Reads the two-dimensional cells of all blocks as triangles. Quads are divided by the shorter
 /// diagonal that leaves both triangles on one side, polygons by cutting ears, strips into their
-/// triangles; of quadratic cells the points on sides count, joined by straight edges. Cells of less
-/// than two dimensions, hidden and ghost cells, and cells with a hidden point, are left out.
-/// Returns why it cannot be read, empty where it can: a cell of three dimensions or of higher
-/// order, a cell that refers to a point that does not exist, more points or corners than 32-bit ids
-/// can number, coordinates that are not finite or beyond GreatestCoordinate3.
+/// triangles; of quadratic cells the corners are cut off at the points on sides. Cells of less than
+/// two dimensions, hidden and ghost cells, and cells with a hidden point, are left out. Returns why
+/// it cannot be read, empty where it can: a cell of three dimensions or of higher order, a cell
+/// that refers to a point that does not exist, more points or corners than 32-bit ids can number,
+/// coordinates that are not finite or beyond GreatestCoordinate3.
 std::string SurfaceFromDrawing(const Drawing& drawing, GivenSurface& surface, Monitor& monitor);
 
 } // namespace biting

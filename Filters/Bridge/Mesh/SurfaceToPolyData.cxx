@@ -190,7 +190,7 @@ void SurfaceToPolyData(const CheckedSurface& surface, const ProblemList& problem
   CarryArrays(drawing.CellArrays, drawing.NumberOfCells, mesh.Cells, cellData, pulse);
   AddArray<vtkIdTypeArray>(cellData, "OriginalCellId", mesh.Cells, pulse);
   AddArray<vtkIdTypeArray>(cellData, "RegionId", surface.Shells.RegionOf, pulse);
-  cellData->SetActiveScalars("RegionId");
+  cellData->SetActiveScalars(surface.Figures.Parts > 1 ? "RegionId" : nullptr);
   AddFigures(surface, problems, output->GetFieldData());
 }
 
@@ -281,7 +281,7 @@ std::string BitingSurfaceToPolyData(const BitingSurface& mesh, const CheckedSurf
   AddArray<vtkIdTypeArray>(cellData, "RegionId", mesh.Regions, pulse);
   AddArray<vtkDoubleArray>(cellData, "Deviation", mesh.Deviations, pulse);
   AddShapeArrays(quality, cellData, pulse);
-  cellData->SetActiveScalars("RegionId");
+  cellData->SetActiveScalars("MinimumAngle");
   AddFigures(mesh, quality, output->GetFieldData());
   return SummaryOf(mesh, quality);
 }

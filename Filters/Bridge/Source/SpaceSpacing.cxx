@@ -6,15 +6,19 @@
 #include "../../Kernel/Base/BoxTree.h"
 #include "../../Kernel/Spacing/ConeTree.h"
 #include "../Data/Arrays.h"
+#include "../Data/Cells.h"
 #include "SpacingValues.h"
 
 #include "vtkCell.h"
+#include "vtkCellType.h"
 #include "vtkGenericCell.h"
 #include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 
-#include <algorithm> // for clamp, max, min, sort
-#include <cmath>     // for floor, isnan
+#include <algorithm> // for clamp, fill_n, max, min, sort
+#include <cmath>     // for floor, isnan, nan
 #include <limits>    // for the least distance
 #include <memory>    // for sharing
 #include <utility>   // for pairs
@@ -51,6 +55,7 @@ public:
     : Data(data)
     , Options(options)
     , Values(std::move(values))
+    , Ghosts(data)
   {
     for (double& value : this->Values)
     {
@@ -72,6 +77,9 @@ public:
   }
 
 protected:
+  /// Whether something is given in a cell: it is not hidden, and there is a value at each corner.
+  bool IsKnown(vtkIdType id, vtkCell* cell) const;
+
   vtkSmartPointer<vtkDataSet> Data;
   SpacingOptions Options;
   std::vector<double> Values; ///< of points, clamped; NaN: nothing is given
@@ -79,9 +87,20 @@ protected:
 private:
   void AddConesOf(vtkCell* cell, std::vector<std::pair<vtkIdType, vtkIdType>>& edges) const;
 
+  GhostArrays Ghosts;
   ConeTree<3> Cones;
   bool IsGraded = false;
 };
+
+bool SourceOfSpace::IsKnown(vtkIdType id, vtkCell* cell) const
+{
+  const vtkIdType size = cell->GetNumberOfPoints();
+  const vtkIdType* points = cell->GetPointIds()->GetPointer(0);
+  return size > 0 && !this->Ghosts.LeaveOut(id, size, points) &&
+    std::none_of(points, points + size,
+      [this](vtkIdType point)
+      { return std::isnan(this->Values[static_cast<std::size_t>(point)]); });
+}
 
 // The edges, or one end of each, from which f grows by less than what is given.
 void SourceOfSpace::AddConesOf(
@@ -131,7 +150,10 @@ void SourceOfSpace::Grade(const Box3& bounds, Monitor& monitor, Pulse& pulse)
     [this, &edges, &cell](std::size_t k)
     {
       this->Data->GetCell(static_cast<vtkIdType>(k), cell);
-      this->AddConesOf(cell, edges);
+      if (this->IsKnown(static_cast<vtkIdType>(k), cell))
+      {
+        this->AddConesOf(cell, edges);
+      }
     });
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
@@ -159,7 +181,7 @@ void SourceOfSpace::Grade(const Box3& bounds, Monitor& monitor, Pulse& pulse)
   }
 }
 
-// An image along the axes of space: trilinear; outside the nearest place of it.
+// An image: trilinear; outside the nearest place of it.
 class ImageOfSpace : public SourceOfSpace
 {
 public:
@@ -167,10 +189,13 @@ public:
     : SourceOfSpace(image, std::move(values), options)
   {
     image->GetPoint(0, this->Origin.Data());
+    vtkNew<vtkMatrix3x3> toImage;
+    vtkMatrix3x3::Invert(image->GetDirectionMatrix(), toImage);
     for (std::size_t d = 0; d < 3; ++d)
     {
+      const double* axis = toImage->GetData() + 3 * d;
       this->Size[d] = image->GetDimensions()[d];
-      this->Step[d] = image->GetSpacing()[d];
+      this->Axes[d] = (1.0 / image->GetSpacing()[d]) * Point3{ axis[0], axis[1], axis[2] };
     }
   }
 
@@ -182,7 +207,8 @@ public:
     for (std::size_t d = 0; d < 3; ++d)
     {
       const double most = this->Size[d] - 1.0;
-      const double place = std::clamp((x[d] - this->Origin[d]) / this->Step[d], 0.0, most);
+      // Not clamp: of a step of zero, as single slices may have, the place may be NaN.
+      const double place = std::max(0.0, std::min(Dot(x - this->Origin, this->Axes[d]), most));
       const double floor = std::min(std::floor(place), std::max(most - 1.0, 0.0));
       low[d] = static_cast<std::size_t>(floor);
       share[d] = place - floor;
@@ -206,9 +232,27 @@ public:
 
 private:
   Point3 Origin;
-  Point3 Step;
+  Point3 Axes[3]; ///< by how many points of the image a step in space leads on along each
   int Size[3] = { 1, 1, 1 };
 };
+
+// Voxels of a turned image as hexahedra: vtkVoxel takes its edges for parallel to the axes.
+vtkGenericCell* WithoutVoxel(vtkGenericCell* cell)
+{
+  constexpr int Order[] = { 0, 1, 3, 2, 4, 5, 7, 6 };
+  static thread_local vtkNew<vtkGenericCell> hexahedron;
+  if (cell->GetCellType() != VTK_VOXEL)
+  {
+    return cell;
+  }
+  hexahedron->SetCellType(VTK_HEXAHEDRON);
+  for (vtkIdType k = 0; k < 8; ++k)
+  {
+    hexahedron->GetPointIds()->SetId(k, cell->GetPointId(Order[k]));
+    hexahedron->GetPoints()->SetPoint(k, cell->GetPoints()->GetPoint(Order[k]));
+  }
+  return hexahedron;
+}
 
 // Cells of any kind.
 class CellsOfSpace : public SourceOfSpace
@@ -226,14 +270,13 @@ public:
         data->GetCell(static_cast<vtkIdType>(k), cell);
         SourceItem item;
         item.Cell = static_cast<vtkIdType>(k);
-        bool isKnown = cell->GetNumberOfPoints() > 0;
+        bool isKnown = this->IsKnown(item.Cell, cell);
         for (int i = 0; i < cell->GetNumberOfPoints(); ++i)
         {
           Point3 place;
           cell->GetPoints()->GetPoint(i, place.Data());
           item.Bounds.Add(place);
-          isKnown =
-            isKnown && AreFinite(place.Data()) && !std::isnan(this->Values[cell->GetPointId(i)]);
+          isKnown = isKnown && AreFinite(place.Data());
         }
         if (isKnown)
         {
@@ -264,11 +307,13 @@ public:
 
 private:
   // The value at the nearest place of the cell, and how far it is.
-  double ValueIn(vtkIdType id, const Point3& x, vtkGenericCell* cell, double& distance) const
+  double ValueIn(vtkIdType id, const Point3& x, vtkGenericCell* own, double& distance) const
   {
-    this->Data->GetCell(id, cell);
-    this->Weights().resize(static_cast<std::size_t>(cell->GetNumberOfPoints()));
-    double* weights = this->Weights().data();
+    this->Data->GetCell(id, own);
+    vtkGenericCell* cell = WithoutVoxel(own);
+    static thread_local std::vector<double> all;
+    all.resize(static_cast<std::size_t>(cell->GetNumberOfPoints()));
+    double* weights = all.data();
     Point3 closest = x;
     Point3 place = x;
     double parametric[3];
@@ -276,11 +321,24 @@ private:
     int part = 0;
     int state =
       cell->EvaluatePosition(place.Data(), closest.Data(), part, parametric, squared, weights);
-    distance = state == 1 ? std::sqrt(squared) : state == 0 ? Distance(x, closest) : Infinity;
+    distance = state == 1 ? std::sqrt(squared) : Distance(x, closest);
     if (state == 0)
     {
       place = closest;
-      cell->EvaluatePosition(place.Data(), closest.Data(), part, parametric, squared, weights);
+      state =
+        cell->EvaluatePosition(place.Data(), closest.Data(), part, parametric, squared, weights);
+    }
+    if (state == -1) // of a cell without volume, or far away: its nearest corner
+    {
+      distance = Infinity;
+      for (int i = 0; i < cell->GetNumberOfPoints(); ++i)
+      {
+        cell->GetPoints()->GetPoint(i, closest.Data());
+        const bool isNearest = Distance(x, closest) < distance;
+        distance = isNearest ? Distance(x, closest) : distance;
+        std::fill_n(weights, isNearest ? i : 0, 0.0);
+        weights[i] = isNearest ? 1.0 : 0.0;
+      }
     }
     double sum = 0.0;
     double low = Infinity;
@@ -295,34 +353,15 @@ private:
     return std::clamp(sum, low, high);
   }
 
-  static std::vector<double>& Weights()
-  {
-    static thread_local std::vector<double> weights;
-    return weights;
-  }
-
   BoxTree<SourceItem, 3> Tree;
 };
 
 // Whether ImageOfSpace can hold it.
 bool IsPlainImage(vtkDataSet* data, const std::vector<double>& values)
 {
-  auto* image = vtkImageData::SafeDownCast(data);
-  const bool isPlain = image && image->GetNumberOfPoints() > 0 && !image->HasAnyBlankCells() &&
-    !image->HasAnyBlankPoints() && image->GetDirectionMatrix()->IsIdentity();
-  return isPlain &&
+  return vtkImageData::SafeDownCast(data) && data->GetNumberOfPoints() > 0 &&
+    !HasGhosts(data, vtkDataObject::CELL, CellsNotHere) &&
     std::none_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
-}
-
-// A constant; empty where none is given.
-SpaceSpacing UniformSpacing(const SpacingOptions& options)
-{
-  if (!(options.Uniform > 0.0))
-  {
-    return {};
-  }
-  const double value = Clamped(options.Uniform, options);
-  return [value](const Point3&) { return value; };
 }
 
 } // namespace
@@ -333,7 +372,8 @@ std::string MakeSpaceSpacing(const SourceData& source, const SpacingOptions& opt
   vtkDataSet* data = source.Data;
   if (!data || !source.Chosen.Array)
   {
-    spacing = UniformSpacing(options);
+    const double value = Clamped(options.Uniform, options);
+    spacing = options.Uniform > 0.0 ? [value](const Point3&) { return value; } : SpaceSpacing();
     return source.Chosen.Refusal;
   }
   Pulse pulse(monitor);
@@ -344,9 +384,11 @@ std::string MakeSpaceSpacing(const SourceData& source, const SpacingOptions& opt
   }
   std::vector<double> values = ReadDoubles(source.Chosen.Array, data->GetNumberOfPoints());
   const double least = LeastValue(options);
-  for (double& value : values)
+  const GhostArrays ghosts(data);
+  for (std::size_t k = 0; k < values.size(); ++k)
   {
-    value = value <= 0.0 && least > 0.0 ? least : value;
+    values[k] = values[k] <= 0.0 && least > 0.0 ? least : values[k];
+    values[k] = ghosts.IsHidden(static_cast<vtkIdType>(k)) ? std::nan("") : values[k];
   }
   refusal = CheckReadValues(
     data, source.Chosen.Array, values, nullptr, SpacingOwner::Source, places, pulse);

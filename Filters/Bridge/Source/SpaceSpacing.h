@@ -22,10 +22,10 @@ using SpaceSpacing = std::function<double(const Point3&)>;
 /// The spacing of `options` (Uniform to Gradation), and what the source gives, if there is one.
 ///
 /// Given is the minimum of Uniform and the value of the source: interpolated in its cells, of three
-/// dimensions or less; outside of all cells that of the nearest place in one. Cells with a NaN give
-/// nothing. Of cells that overlap the smallest value counts. It is scaled and clamped; then f is
-/// the largest function below that is no steeper than the gradation, where cells are steeper by
-/// their edges: within cells much larger than f it may be larger.
+/// dimensions or less; outside of all cells that of the nearest place in one. Cells with a NaN and
+/// hidden ones give nothing. Of cells that overlap the smallest value counts. It is scaled and
+/// clamped; then f is the largest function below that is no steeper than the gradation, where cells
+/// are steeper by their edges: within cells much larger than f it may be larger.
 ///
 /// `bounds`: where f will be asked for. Returns what is wrong with the source, empty where nothing
 /// is; `spacing` is empty where nothing is given. Where the monitor asks to stop it has no meaning.

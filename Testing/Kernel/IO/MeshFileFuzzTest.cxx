@@ -172,9 +172,11 @@ TEST(MeshFileFuzz, FilesThatAreCutAnywhereAreErrors)
             : isWithout ? FileVerdict::Said
                         : FileVerdict::Error,
           file.Model);
-        if (isWithout)
+        // The last number of a line that does not end may be cut.
+        const ReadFile read = ReadText(file, text.substr(0, size));
+        if (isWithout && (size == begin || read.Result.Reason.empty()))
         {
-          EXPECT_TRUE(IsModel(ReadText(file, text.substr(0, size)).Mesh, cut));
+          EXPECT_TRUE(IsModel(read.Mesh, cut));
         }
       }
     });

@@ -199,6 +199,17 @@ TEST(MeshFileSolids, WhatIsBesideTetrahedraIsSaid)
   }
 }
 
+TEST(MeshFileSolids, SU2WithoutMarkersIsReadWithARemark)
+{
+  std::istringstream file(
+    "NDIME= 3\nNELEM= 1\n10 0 1 2 3 0\nNPOIN= 4\n0 0 0 0\n1 0 0 1\n0 1 0 2\n0 0 1 3\n");
+  MeshFile mesh;
+  const ReadingResult result = ReadSU2(file, mesh);
+  EXPECT_EQ(result.Reason, "");
+  EXPECT_EQ(result.Remarks.size(), 1U);
+  EXPECT_EQ(mesh.Tetrahedra.size(), 1U);
+}
+
 TEST(MeshFileSolids, SU2ReadsOrderTwoAndTakesNoTetrahedraInThePlane)
 {
   const std::string element = "NELEM= 1\n24 0 1 2 3 4 5 6 7 8 9\n";

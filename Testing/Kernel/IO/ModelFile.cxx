@@ -305,6 +305,7 @@ ModelFile ModelFiles::SU2()
     }
     addNumber(k);
   }
+  file.FirstOptional = lines.size();
   lines.push_back({ { "NMARK=", nullptr }, Fixed(2) });
   const std::size_t ends[] = { 0, cells / 2, cells };
   for (std::size_t part = 0; part < 2; ++part)
