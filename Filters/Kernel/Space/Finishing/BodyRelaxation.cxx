@@ -7,7 +7,7 @@
 #include "EdgeRemoval.h"
 #include "VertexMoves.h"
 
-#include <algorithm> // for any_of, count_if, max, sort, unique
+#include <algorithm> // for any_of, count_if, max, min, sort, unique
 #include <cmath>     // for abs
 #include <cstddef>   // for ptrdiff_t
 #include <set>       // for steps that were tried
@@ -39,6 +39,7 @@ protected:
     , Edges(this->Tets, this->Normals)
     , Beats(pulse)
     , TrialsLeft(300 + this->Tets.Mesh.NumberOfSlots() / 256) // most find nothing
+    , TrialsToCome(std::min(this->Tets.Mesh.NumberOfSlots() / 4, 4000))
   {
   }
 
@@ -51,6 +52,7 @@ protected:
   /// something has changed. Steps at their own edges first: these succeed most often.
   bool TryWorst(Id round)
   {
+    constexpr Id TrialsAfterSuccess = 64;
     std::vector<std::pair<double, Id>> bad;
     for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots(); ++cell)
     {
@@ -74,7 +76,9 @@ protected:
           this->TryAt(cell, common))
         {
           isChanged = true;
-          this->TrialsLeft += TrialsAfterSuccess;
+          const Id more = std::min(this->TrialsToCome, TrialsAfterSuccess);
+          this->TrialsToCome -= more;
+          this->TrialsLeft += more;
           this->Rounds.resize(this->Tets.Mesh.Points.size(), 0);
           for (const Id vertex : this->Reached)
           {
@@ -257,10 +261,10 @@ protected:
   VertexMoves Moves;
   EdgeRemoval Edges;
   Pulse& Beats;
-  static constexpr Id TrialsAfterSuccess = 64; ///< more: they help
-  std::vector<Id> Reached;                     ///< vertices
-  std::vector<Id> Rounds; ///< of vertices: 1 + the last round that changed a cell there
+  std::vector<Id> Reached; ///< vertices
+  std::vector<Id> Rounds;  ///< of vertices: 1 + the last round that changed a cell there
   Id TrialsLeft;
+  Id TrialsToCome; ///< where others help
 };
 
 /// The order of the steps.

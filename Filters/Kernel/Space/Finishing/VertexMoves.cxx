@@ -11,13 +11,7 @@
 namespace biting
 {
 
-void VertexMoves::Gather(Id vertex)
-{
-  this->Star.clear();
-  this->GatherBut(vertex, NoId);
-}
-
-/// The cells of the vertex that do not have the other one.
+/// Adds the cells of the vertex that do not have the other one.
 void VertexMoves::GatherBut(Id vertex, Id other)
 {
   for (const Id slot : this->Tets.StarOf(vertex))
@@ -127,7 +121,8 @@ bool VertexMoves::Smooth(Id vertex, double good)
 {
   const bool isInside = this->Tets.Kinds[At(vertex)] == BodyTets::Kind::Inside;
   const Point3 old = this->Tets.Mesh.PointAt(vertex);
-  this->Gather(vertex);
+  this->Star.clear();
+  this->GatherBut(vertex, NoId);
   const Point3 way = isInside ? this->WayInside(old) : this->WayOnGround(vertex);
   double worst = 0.0;
   for (const Cone& cone : this->Star)
@@ -190,7 +185,8 @@ bool VertexMoves::Improve(Id vertex, double good)
     return false;
   }
   this->Tets.NumberOfMoves[At(vertex)] += this->Tets.Log == nullptr ? 1 : 0;
-  this->Gather(vertex);
+  this->Star.clear();
+  this->GatherBut(vertex, NoId);
   const auto isWorse = [](const Cone& a, const Cone& b) { return a.Badness > b.Badness; };
   std::sort(this->Star.begin(), this->Star.end(), isWorse);
   const double before = this->Worst();

@@ -58,7 +58,6 @@ private:
     Point3 A, B, C;
   };
 
-  void Gather(Id vertex);
   void GatherBut(Id vertex, Id other);
   double WorstAt(const Point3& place, double limit);
   double Load(double Cone::*badness) const;
