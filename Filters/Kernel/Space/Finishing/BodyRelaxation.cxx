@@ -7,10 +7,9 @@
 #include "EdgeRemoval.h"
 #include "VertexMoves.h"
 
-#include <algorithm> // for all_of, any_of, copy_if, sort, unique
+#include <algorithm> // for any_of, count_if, max, min, sort, unique
 #include <cmath>     // for abs
 #include <cstddef>   // for ptrdiff_t
-#include <iterator>  // for back_inserter
 #include <set>       // for steps that were tried
 #include <utility>   // for pairs
 
@@ -40,6 +39,7 @@ protected:
     , Edges(this->Tets, this->Normals)
     , Beats(pulse)
     , TrialsLeft(300 + this->Tets.Mesh.NumberOfSlots() / 256) // most find nothing
+    , TrialsToCome(std::min(this->Tets.Mesh.NumberOfSlots() / 4, 4000))
   {
   }
 
@@ -49,9 +49,10 @@ protected:
   }
 
   /// Tries all cells that are still bad, the worst first; after the first round those near which
-  /// something has changed.
+  /// something has changed. Steps at their own edges first: these succeed most often.
   bool TryWorst(Id round)
   {
+    constexpr Id TrialsAfterSuccess = 64;
     std::vector<std::pair<double, Id>> bad;
     for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots(); ++cell)
     {
@@ -63,20 +64,26 @@ protected:
     std::sort(bad.begin(), bad.end());
     bool isChanged = false;
     this->Rounds.resize(this->Tets.Mesh.Points.size(), 0);
-    for (const auto& [badness, cell] : bad)
+    for (std::ptrdiff_t common = 4; common >= 2; --common)
     {
-      const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
-      const auto isNew = [this, round](Id vertex) { return this->Rounds[At(vertex)] >= round; };
-      if (this->TrialsLeft > 0 && this->IsBad(cell, At30) &&
-        std::abs(this->Tets.Badness[At(cell)] + badness) < LeastGain &&
-        std::any_of(corners.begin(), corners.end(), isNew) && this->Beats.Ask() &&
-        this->TryAt(cell))
+      for (const auto& [badness, cell] : bad)
       {
-        isChanged = true;
-        this->Rounds.resize(this->Tets.Mesh.Points.size(), 0);
-        for (const Id vertex : this->Reached)
+        const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+        const auto isNew = [this, round](Id vertex) { return this->Rounds[At(vertex)] >= round; };
+        if (this->TrialsLeft > 0 && this->IsBad(cell, At30) &&
+          std::abs(this->Tets.Badness[At(cell)] + badness) < LeastGain &&
+          std::any_of(corners.begin(), corners.end(), isNew) && this->Beats.Ask() &&
+          this->TryAt(cell, common))
         {
-          this->Rounds[At(vertex)] = round + 1;
+          isChanged = true;
+          const Id more = std::min(this->TrialsToCome, TrialsAfterSuccess);
+          this->TrialsToCome -= more;
+          this->TrialsLeft += more;
+          this->Rounds.resize(this->Tets.Mesh.Points.size(), 0);
+          for (const Id vertex : this->Reached)
+          {
+            this->Rounds[At(vertex)] = round + 1;
+          }
         }
       }
     }
@@ -103,25 +110,25 @@ protected:
     return isSharp;
   }
 
-  /// Tries steps that make cells worse, and what can be made of that: at the edges of the cell,
-  /// then of those that have three and two corners of it.
-  bool TryAt(Id cell)
+  /// Tries steps that make cells worse, and what can be made of that: at edges of the cells with
+  /// `common` corners of this one that no cell with more of them has.
+  bool TryAt(Id cell, std::ptrdiff_t common)
   {
     const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+    const auto isCorner = [&corners](Id vertex)
+    { return std::find(corners.begin(), corners.end(), vertex) != corners.end(); };
     const std::vector<Id> near = this->CellsAt(corners);
-    std::set<std::pair<Id, Id>> tried;
-    for (std::ptrdiff_t common = 4; common >= 2; --common)
+    std::set<std::pair<Id, Id>> seen;
+    for (std::ptrdiff_t count = 4; count >= common; --count)
     {
       for (const Id other : near)
       {
         const BodyTets::Tetrahedron own = this->Tets.CornersOf(other);
-        const auto isCorner = [&corners](Id vertex)
-        { return std::find(corners.begin(), corners.end(), vertex) != corners.end(); };
-        const bool isNow = std::count_if(own.begin(), own.end(), isCorner) == common;
+        const bool isNow = std::count_if(own.begin(), own.end(), isCorner) == count;
         for (std::size_t edge = 0; isNow && edge < 6; ++edge)
         {
           const BodyTets::Tetrahedron ends = this->Edges.CornersFrom(other, edge);
-          const bool isNew = tried.insert(std::minmax(ends[0], ends[1])).second;
+          const bool isNew = seen.insert(std::minmax(ends[0], ends[1])).second && count == common;
           for (int step = 0; step < 4 && isNew && this->TrialsLeft > 0; ++step)
           {
             if (!this->Beats.HasStopped() && this->Try(cell, other, edge, step))
@@ -158,15 +165,15 @@ protected:
     if (goes)
     {
       --this->TrialsLeft;
-      for (int round = 0; round < MostRounds; ++round)
+      double worst = this->FindReached();
+      double last = Infinity;
+      for (int round = 0; round < MostRounds && worst < last - LeastGain; ++round)
       {
-        this->FindReached();
+        last = worst;
         this->ImproveAll(this->CellsAt(this->Reached), At31);
+        worst = this->FindReached();
       }
-      const std::vector<Id> changed = this->FindReached();
-      const auto isBetter = [this, limit](Id c)
-      { return this->Tets.Mesh.IsFree(c) || this->Tets.Badness[At(c)] < limit; };
-      goes = isBetter(cell) && std::all_of(changed.begin(), changed.end(), isBetter);
+      goes = worst < limit && !this->IsBad(cell, limit);
       if (!goes)
       {
         this->Moves.TakeBack();
@@ -176,14 +183,13 @@ protected:
     return goes;
   }
 
-  /// Cells that have changed by the log. Sets Reached: their corners.
-  std::vector<Id> FindReached()
+  /// Sets Reached: the corners of cells that have changed by the log. The badness of the worst.
+  double FindReached()
   {
     std::vector<Id> changed;
     for (const CellChange& change : *this->Tets.Log)
     {
-      std::copy_if(change.Cells.begin(), change.Cells.end(), std::back_inserter(changed),
-        [this](Id cell) { return !this->Tets.Mesh.IsFree(cell); });
+      changed.insert(changed.end(), change.Cells.begin(), change.Cells.end());
       for (const Id slot :
         change.Vertex == NoId ? std::vector<Id>() : this->Tets.StarOf(change.Vertex))
       {
@@ -191,14 +197,19 @@ protected:
       }
     }
     SortUnique(changed);
+    double worst = 0.0;
     this->Reached.clear();
     for (const Id cell : changed)
     {
-      const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
-      this->Reached.insert(this->Reached.end(), corners.begin(), corners.end());
+      if (!this->Tets.Mesh.IsFree(cell))
+      {
+        const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+        this->Reached.insert(this->Reached.end(), corners.begin(), corners.end());
+        worst = std::max(worst, this->Tets.Badness[At(cell)]);
+      }
     }
     SortUnique(this->Reached);
-    return changed;
+    return worst;
   }
 
   /// The cells of the vertices.
@@ -253,6 +264,7 @@ protected:
   std::vector<Id> Reached; ///< vertices
   std::vector<Id> Rounds;  ///< of vertices: 1 + the last round that changed a cell there
   Id TrialsLeft;
+  Id TrialsToCome; ///< where others help
 };
 
 /// The order of the steps.
@@ -267,30 +279,31 @@ public:
 
   void Run()
   {
-    constexpr int Sweeps = 4;
-    constexpr int MostRounds = 8;
+    constexpr Id Sweeps = 4;
     this->MergeThinFacets();
-    for (int sweep = 0; sweep < Sweeps && this->GoOn(0.15 * sweep); ++sweep)
+    for (Id sweep = 0; sweep < Sweeps && this->GoOn(0.15 * sweep); ++sweep)
     {
       this->SmoothAll();
       this->ChangeBad(At35);
     }
-    bool isChanged = true;
-    for (int round = 0; round < MostRounds && isChanged && this->GoOn(0.6 + 0.03 * round); ++round)
+    constexpr Id MostRounds = 8;
+    constexpr Id MostRoundsOfTrials = 32; // a round makes the worst a little better
+    const auto repeat = [this](Id most, double begin, double end, const auto& step)
     {
-      isChanged = this->MoveBad(At35);
-      isChanged = this->ChangeBad(At38) || isChanged;
-    }
-    isChanged = true;
-    for (int round = 0; round < MostRounds && isChanged && this->GoOn(0.84 + 0.01 * round); ++round)
-    {
-      isChanged = this->LoosenWorst(At30);
-    }
-    isChanged = true;
-    for (Id round = 0; round < MostRounds && isChanged && this->GoOn(0.92 + 0.01 * round); ++round)
-    {
-      isChanged = this->TryWorst(round);
-    }
+      bool isChanged = true;
+      for (Id k = 0; k < most && isChanged && this->GoOn(begin + k * (end - begin) / most); ++k)
+      {
+        isChanged = step(k);
+      }
+    };
+    repeat(MostRounds, 0.6, 0.84,
+      [this](Id /*round*/)
+      {
+        const bool isMoved = this->MoveBad(At35);
+        return this->ChangeBad(At38) || isMoved;
+      });
+    repeat(MostRounds, 0.84, 0.92, [this](Id /*round*/) { return this->LoosenWorst(At30); });
+    repeat(MostRoundsOfTrials, 0.92, 1.0, [this](Id round) { return this->TryWorst(round); });
     this->Tets.GiveBack();
   }
 

@@ -34,6 +34,7 @@ public:
   Point3 Place{};
   double Size = 0.0;
   Id Triangle = NoId; ///< of BoundaryPlaces
+  Id Piece = NoId;    ///< gone by LinePieces::Join at the vertex, which has not moved
 
   void Clear();
   void Apply(BodyTets& tets);

@@ -6,7 +6,7 @@
 #include "../../Base/Numbers.h"
 #include "TrialSteps.h"
 
-#include <algorithm> // for max
+#include <algorithm> // for find, max
 
 namespace biting
 {
@@ -61,9 +61,6 @@ bool EdgeRemoval::Remove(Id cell, std::size_t edge)
       return false;
     }
   }
-  this->Change.Filling.clear();
-  this->Change.Regions.clear();
-  this->Change.Facets.clear();
   if (this->NumberOfRecords > 0 && !this->FlipFacets())
   {
     return false;
@@ -117,7 +114,7 @@ Id EdgeRemoval::Rewind(Id cell, Id& p, Id& q) const
 /// Collects what is about the edge.
 bool EdgeRemoval::Wind(Id first, Id p, Id q)
 {
-  this->Change.Cells.clear();
+  this->Change.Clear();
   this->NumberOfLinks = 0;
   this->NumberOfRecords = 0;
   this->Before = 0.0;
@@ -255,11 +252,8 @@ bool EdgeRemoval::IsNewEdge(Id p, Id q, bool isInCell)
   for (const Id own : this->Tets.StarOf(p))
   {
     const Id base = own & ~3;
-    bool has = false;
-    for (Id slot = base; slot < base + 4; ++slot)
-    {
-      has = has || this->Tets.VertexAt(slot) == q;
-    }
+    const BodyTets::Tetrahedron corners = this->Tets.CornersOf(base >> 2);
+    const bool has = std::find(corners.begin(), corners.end(), q) != corners.end();
     for (Id slot = base; slot < base + 4 && has; ++slot)
     {
       const Id corner = this->Tets.VertexAt(slot);
@@ -321,7 +315,6 @@ bool EdgeRemoval::FillFromInside()
       worst = std::min(worst, tried);
       return goes;
     });
-  this->Change.Facets.clear();
   if (!(worst < LimitOf(this->Before, this->Tets.IsTrial)) ||
     (isOnFacets && !this->SplitFacets(best)))
   {
@@ -339,8 +332,6 @@ bool EdgeRemoval::FillFromInside()
 /// Sets the halves of the cells about the edge.
 void EdgeRemoval::FillAround(Id vertex)
 {
-  this->Change.Filling.clear();
-  this->Change.Regions.clear();
   for (std::size_t side = 0; side < this->NumberOfLinks; ++side)
   {
     const Link& link = this->Links[side];

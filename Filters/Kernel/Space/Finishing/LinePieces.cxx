@@ -50,16 +50,20 @@ Id LinePieces::OtherEnd(Id piece, Id vertex) const
   return ends[0] == vertex ? ends[1] : ends[0];
 }
 
+/// A piece that is gone keeps its ends, the first one as its code.
 void LinePieces::Join(Id vertex, Id gone)
 {
-  const Id end = this->OtherEnd(gone, vertex);
   const std::vector<Id>& own = this->PiecesAt[At(vertex)];
   const Id kept = own[0] == gone ? own[1] : own[0];
+  Id& first = this->Body.PieceEnds[At(2 * gone)];
+  const bool isUndone = first < 0;
+  first = isUndone ? RelaxedBody::CodeOf(first) : first;
+  const Id end = this->OtherEnd(gone, vertex);
+  first = isUndone ? first : RelaxedBody::CodeOf(first);
   std::vector<Id>& pieces = this->PiecesAt[At(end)];
-  std::replace(pieces.begin(), pieces.end(), gone, kept);
+  std::replace(pieces.begin(), pieces.end(), isUndone ? kept : gone, isUndone ? gone : kept);
   Id* ends = &this->Body.PieceEnds[At(2 * kept)];
-  std::replace(ends, ends + 2, vertex, end);
-  this->Body.PieceEnds[At(2 * gone)] = NoId;
+  std::replace(ends, ends + 2, isUndone ? end : vertex, isUndone ? vertex : end);
 }
 
 void LinePieces::GiveBack(const std::vector<Id>& numbers)
@@ -69,7 +73,7 @@ void LinePieces::GiveBack(const std::vector<Id>& numbers)
   std::size_t kept = 0;
   for (std::size_t piece = 0; piece < ends.size() / 2; ++piece)
   {
-    if (ends[2 * piece] != NoId)
+    if (ends[2 * piece] >= 0)
     {
       ends[2 * kept] = numbers[At(ends[2 * piece])];
       ends[2 * kept + 1] = numbers[At(ends[2 * piece + 1])];

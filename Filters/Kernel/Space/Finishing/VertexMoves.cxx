@@ -3,7 +3,6 @@
 
 #include "VertexMoves.h"
 
-#include "../../Base/Numbers.h"
 #include "TrialSteps.h"
 
 #include <algorithm> // for any_of, find, max, minmax, remove_if, set_intersection
@@ -12,13 +11,7 @@
 namespace biting
 {
 
-void VertexMoves::Gather(Id vertex)
-{
-  this->Star.clear();
-  this->GatherBut(vertex, NoId);
-}
-
-/// The cells of the vertex that do not have the other one.
+/// Adds the cells of the vertex that do not have the other one.
 void VertexMoves::GatherBut(Id vertex, Id other)
 {
   for (const Id slot : this->Tets.StarOf(vertex))
@@ -33,9 +26,9 @@ void VertexMoves::GatherBut(Id vertex, Id other)
   }
 }
 
-/// Whether all tetrahedra are positive there and none is worse than the limit; all are better than
-/// it, or weigh less than MostLoad.
-bool VertexMoves::Suits(const Point3& place, double limit)
+/// The badness of the worst of the star with the vertex there. Infinite where one is not positive,
+/// or not below the limit; or the worst is not by LeastGain, and the load is not below MostLoad.
+double VertexMoves::WorstAt(const Point3& place, double limit)
 {
   double worst = 0.0;
   for (Cone& cone : this->Star)
@@ -43,7 +36,7 @@ bool VertexMoves::Suits(const Point3& place, double limit)
     cone.Tried = TetShape(place, cone.A, cone.B, cone.C).Badness();
     if (!(cone.Tried < limit))
     {
-      return false;
+      return Infinity;
     }
     worst = std::max(worst, cone.Tried);
   }
@@ -51,11 +44,13 @@ bool VertexMoves::Suits(const Point3& place, double limit)
   {
     if (Orient3D(place, cone.A, cone.B, cone.C) <= 0)
     {
-      return false;
+      return Infinity;
     }
   }
   return this->MostLoad == Infinity || worst < limit - LeastGain ||
-    this->Load(&Cone::Tried) < this->MostLoad;
+      this->Load(&Cone::Tried) < this->MostLoad
+    ? worst
+    : Infinity;
 }
 
 /// The sum of the 16th powers of badness: about what the worst have, but it falls, too, where some
@@ -102,23 +97,22 @@ void VertexMoves::Move(Id vertex, const Point3& place)
 /// Moves the vertex there, or to the nearest place of its patch, if that suits.
 bool VertexMoves::Try(Id vertex, const Point3& place, double limit)
 {
-  if (this->Tets.Kinds[At(vertex)] == BodyTets::Kind::Inside)
-  {
-    const bool suits = this->Suits(place, limit);
-    if (suits)
-    {
-      this->Move(vertex, place);
-      this->Tets.Body.Sizes[At(vertex)] = this->Size(place);
-    }
-    return suits;
-  }
-  const GroundPlace onGround = this->Normals.Project(vertex, place);
-  const bool suits =
-    this->Suits(onGround.Place, limit) && this->Normals.AllowsMove(vertex, onGround);
+  const bool isInside = this->Tets.Kinds[At(vertex)] == BodyTets::Kind::Inside;
+  const GroundPlace there =
+    isInside ? GroundPlace{ NoId, place } : this->Normals.Project(vertex, place);
+  const bool suits = this->WorstAt(there.Place, limit) < Infinity &&
+    (isInside || this->Normals.AllowsMove(vertex, there));
   if (suits)
   {
-    this->Move(vertex, onGround.Place);
-    this->Normals.Move(vertex, onGround);
+    this->Move(vertex, there.Place);
+  }
+  if (suits && isInside)
+  {
+    this->Tets.Body.Sizes[At(vertex)] = this->Size(place);
+  }
+  else if (suits)
+  {
+    this->Normals.Move(vertex, there);
   }
   return suits;
 }
@@ -127,7 +121,8 @@ bool VertexMoves::Smooth(Id vertex, double good)
 {
   const bool isInside = this->Tets.Kinds[At(vertex)] == BodyTets::Kind::Inside;
   const Point3 old = this->Tets.Mesh.PointAt(vertex);
-  this->Gather(vertex);
+  this->Star.clear();
+  this->GatherBut(vertex, NoId);
   const Point3 way = isInside ? this->WayInside(old) : this->WayOnGround(vertex);
   double worst = 0.0;
   for (const Cone& cone : this->Star)
@@ -156,10 +151,7 @@ Point3 VertexMoves::WayInside(const Point3& place) const
     const Id* c = &this->Tets.Mesh.Corners[At(cone.Slot & ~3)];
     const double size = sizes[At(c[0])] + sizes[At(c[1])] + sizes[At(c[2])] + sizes[At(c[3])];
     const double density = 1.0 / (size * size * size);
-    const Point3 center = shape.WeightedCenter();
-    sum.X += density * center.X;
-    sum.Y += density * center.Y;
-    sum.Z += density * center.Z;
+    sum = sum + density * shape.WeightedCenter();
     mass += 2.0 * density * shape.SixVolumes();
   }
   return mass > 0.0 ? (1.0 / mass) * sum : Point3{};
@@ -193,7 +185,8 @@ bool VertexMoves::Improve(Id vertex, double good)
     return false;
   }
   this->Tets.NumberOfMoves[At(vertex)] += this->Tets.Log == nullptr ? 1 : 0;
-  this->Gather(vertex);
+  this->Star.clear();
+  this->GatherBut(vertex, NoId);
   const auto isWorse = [](const Cone& a, const Cone& b) { return a.Badness > b.Badness; };
   std::sort(this->Star.begin(), this->Star.end(), isWorse);
   const double before = this->Worst();
@@ -223,8 +216,7 @@ bool VertexMoves::Merge(Id vertex, Id other)
   const BodyTets::Kind kind = this->Tets.Kinds[At(vertex)];
   const bool isInside = kind == BodyTets::Kind::Inside;
   this->Change.Clear();
-  if ((kind == BodyTets::Kind::OnLine && this->Tets.Log != nullptr) ||
-    (!isInside && !this->FindFacets(vertex, other)))
+  if (!isInside && !this->FindFacets(vertex, other))
   {
     return false;
   }
@@ -262,7 +254,7 @@ bool VertexMoves::Merge(Id vertex, Id other)
   }
   if (kind == BodyTets::Kind::OnLine)
   {
-    this->Tets.Lines.Join(vertex, this->Tets.Lines.Between(vertex, other));
+    this->Join(vertex, this->Tets.Lines.Between(vertex, other));
   }
   for (std::size_t k = 0; k < fillings; ++k)
   {
@@ -277,6 +269,17 @@ bool VertexMoves::Merge(Id vertex, Id other)
   return true;
 }
 
+void VertexMoves::Join(Id vertex, Id gone)
+{
+  this->Tets.Lines.Join(vertex, gone);
+  if (this->Tets.Log != nullptr)
+  {
+    this->Tets.Log->emplace_back();
+    this->Tets.Log->back().Vertex = vertex;
+    this->Tets.Log->back().Piece = gone;
+  }
+}
+
 void VertexMoves::TakeBack()
 {
   const std::vector<CellChange> log = std::move(*this->Tets.Log);
@@ -287,6 +290,11 @@ void VertexMoves::TakeBack()
     if (vertex == NoId)
     {
       CellChange(*change).Apply(this->Tets);
+      continue;
+    }
+    if (change->Piece != NoId)
+    {
+      this->Tets.Lines.Join(vertex, change->Piece);
       continue;
     }
     if (change->Triangle != NoId)
@@ -399,22 +407,6 @@ bool VertexMoves::IsMergeable(Id vertex, Id other)
   std::set_intersection(this->Links[0].begin(), this->Links[0].end(), this->Links[1].begin(),
     this->Links[1].end(), std::back_inserter(both));
   return both == this->Links[2] && this->Normals.AllowsMerge(this->Facets, vertex, other);
-}
-
-/// The badness of the worst of the star with the vertex there; infinite where it is not below the
-/// limit, or one is not positive.
-double VertexMoves::WorstAt(const Point3& place, double limit)
-{
-  double worst = Infinity;
-  if (this->Suits(place, limit))
-  {
-    worst = 0.0;
-    for (const Cone& cone : this->Star)
-    {
-      worst = std::max(worst, cone.Tried);
-    }
-  }
-  return worst;
 }
 
 } // namespace biting

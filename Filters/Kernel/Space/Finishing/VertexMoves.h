@@ -43,7 +43,6 @@ public:
   /// Merges a vertex into `other`, of a common cell, which replaces it in its cells. If both are
   /// inside, `other` moves to where the worst of the cells about both is best. A vertex of the
   /// boundary goes along an edge of its patch, or chain, where GroundNormals allows it.
-  /// While changes are noted only vertices that are on no line.
   bool Merge(Id vertex, Id other);
 
   /// Undoes what was noted, which ends.
@@ -59,12 +58,11 @@ private:
     Point3 A, B, C;
   };
 
-  void Gather(Id vertex);
   void GatherBut(Id vertex, Id other);
-  bool Suits(const Point3& place, double limit);
   double WorstAt(const Point3& place, double limit);
   double Load(double Cone::*badness) const;
   void Move(Id vertex, const Point3& place);
+  void Join(Id vertex, Id gone);
   bool FindFacets(Id vertex, Id other);
   using LinkItem = std::array<Id, 3>;
   void FindLink(Id vertex, Id other, bool isAtEdge, std::vector<LinkItem>& link);

@@ -512,6 +512,49 @@ TEST(BodyRelaxation, TakesTrialsBackExactly)
   ExpectBody(cube.Body);
 }
 
+TEST(BodyRelaxation, TakesMergesOfVerticesOnLinesBackExactly)
+{
+  Cube cube(6, 1, 0.3, 0.45);
+  const RelaxedBody before = cube.Body;
+  Pulse pulse(NoMonitor());
+  const std::function<double(const Point3&)> f = [](const Point3&) { return 0.1; };
+  BodyTets tets(cube.Body, pulse);
+  GroundNormals normals(cube.Ground, tets);
+  VertexMoves moves(tets, normals, f);
+  tets.IsTrial = true;
+  int merged = 0;
+  for (std::size_t k = 0; k < before.PieceEnds.size(); ++k)
+  {
+    const Id vertex = before.PieceEnds[k];
+    const Id other = before.PieceEnds[k % 2 == 0 ? k + 1 : k - 1];
+    std::vector<CellChange> log;
+    tets.Log = &log;
+    if (moves.Merge(vertex, other))
+    {
+      ++merged;
+      EXPECT_EQ(tets.Lines.Between(other, vertex), NoId);
+      // Another one goes to where this one went.
+      for (std::size_t end = 0; end < before.PieceEnds.size(); ++end)
+      {
+        const Id last = before.PieceEnds[end];
+        merged +=
+          last != vertex && tets.Lines.Between(last, other) != NoId && moves.Merge(last, other) ? 1
+                                                                                                : 0;
+      }
+    }
+    moves.TakeBack();
+    ASSERT_EQ(cube.Body.PieceEnds, before.PieceEnds);
+    EXPECT_NE(tets.Lines.Between(other, vertex), NoId);
+  }
+  EXPECT_GT(merged, 20);
+  tets.GiveBack();
+  EXPECT_EQ(cube.Body.PieceChains, before.PieceChains);
+  EXPECT_EQ(cube.Body.Corners, before.Corners);
+  EXPECT_EQ(cube.Body.Points, before.Points);
+  EXPECT_EQ(cube.Body.Facets.size(), before.Facets.size());
+  ExpectBody(cube.Body);
+}
+
 /// Wants to stop when it is asked for that time.
 class StopAfter : public SilentMonitor
 {
