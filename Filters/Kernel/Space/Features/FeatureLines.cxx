@@ -74,7 +74,8 @@ public:
     {
       for (std::size_t arm = 0; arm < this->Arms.size(); ++arm)
       {
-        if (this->IsUsed[arm] == 0 && (!isFromCorners || this->IsCorner(this->Arms[arm].Tail)))
+        if (this->IsUsed[arm] == 0 &&
+          (!isFromCorners || this->Ground.IsCorner(this->Arms[arm].Tail)))
         {
           this->Follow(arm);
         }
@@ -83,14 +84,13 @@ public:
   }
 
 private:
-  bool IsCorner(Id vertex) const { return this->Ground.Places[At(vertex)] == FeaturePlace::Corner; }
-
   const Point3& PointAt(Id vertex) const { return this->Ground.Mesh.Points[At(vertex)]; }
 
-  std::size_t FirstArm(Id vertex) const
+  /// From the vertex to the head; without one the first arm of the vertex.
+  std::size_t ArmAt(Id vertex, Id head = NoId) const
   {
-    const auto first =
-      std::lower_bound(this->Arms.begin(), this->Arms.end(), FeatureArm{ vertex, NoId, 0 });
+    const FeatureArm arm{ vertex, head, 0 };
+    const auto first = std::lower_bound(this->Arms.begin(), this->Arms.end(), arm);
     return static_cast<std::size_t>(first - this->Arms.begin());
   }
 
@@ -109,8 +109,8 @@ private:
       {
         ++end;
       }
-      bool isCorner =
-        this->IsCorner(arm.Tail) || end - begin != 2 || arm.Flag != this->Arms[begin + 1].Flag;
+      bool isCorner = this->Ground.IsCorner(arm.Tail) || end - begin != 2 ||
+        arm.Flag != this->Arms[begin + 1].Flag;
       if (!isCorner)
       {
         const Point3 in = this->PointAt(arm.Tail) - this->PointAt(arm.Head);
@@ -132,18 +132,13 @@ private:
     {
       const Id tail = this->Arms[arm].Tail;
       head = this->Arms[arm].Head;
-      const std::size_t first = this->FirstArm(head);
-      const bool isFirst = this->Arms[first].Head == tail;
-      std::size_t back = first;
-      while (this->Arms[back].Head != tail)
-      {
-        ++back;
-      }
+      const std::size_t first = this->ArmAt(head);
+      const std::size_t back = this->ArmAt(head, tail);
       this->IsUsed[arm] = 1;
       this->IsUsed[back] = 1;
       chains.Vertices.push_back(head);
-      arm = isFirst ? first + 1 : first;
-    } while (head != start && !this->IsCorner(head));
+      arm = back == first ? first + 1 : first;
+    } while (head != start && !this->Ground.IsCorner(head));
     chains.Offsets.push_back(static_cast<Id>(chains.Vertices.size()));
   }
 
@@ -176,7 +171,7 @@ public:
     {
       if (this->IsShort(chain, 1.0))
       {
-        chains.push_back({ this->LengthOf(chain), chain });
+        chains.push_back({ this->Ground.LengthOf(this->Paths[chain]), chain });
       }
     }
     std::sort(chains.begin(), chains.end());
@@ -188,7 +183,7 @@ public:
         this->Contract(entry.second);
       }
       // A loop around a face that is no larger than that.
-      if (!path.empty() && path.front() == path.back() && this->IsCorner(path.front()) &&
+      if (!path.empty() && path.front() == path.back() && this->Ground.IsCorner(path.front()) &&
         this->IsShort(entry.second, 3.0))
       {
         if (this->Ground.Chains.Kinds[entry.second] != SurfaceEdgeKind::Feature)
@@ -202,24 +197,10 @@ public:
   }
 
 private:
-  bool IsCorner(Id vertex) const { return this->Ground.Places[At(vertex)] == FeaturePlace::Corner; }
-
-  double LengthOf(std::size_t chain) const
-  {
-    const std::vector<Id>& path = this->Paths[chain];
-    double length = 0.0;
-    for (std::size_t k = 1; k < path.size(); ++k)
-    {
-      length +=
-        Distance(this->Ground.Mesh.Points[At(path[k - 1])], this->Ground.Mesh.Points[At(path[k])]);
-    }
-    return length;
-  }
-
   bool IsShort(std::size_t chain, double times) const
   {
-    const Id end = this->Paths[chain].front();
-    return this->LengthOf(chain) < times * MergedShare * this->Ground.Given[At(end)];
+    const std::vector<Id>& path = this->Paths[chain];
+    return this->Ground.LengthOf(path) < times * MergedShare * this->Ground.Given[At(path.front())];
   }
 
   /// The end with more chains stays; those at the other one go on along the chain.
@@ -280,16 +261,7 @@ VertexPair PairOf(Id a, Id b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-void AddEdgesOf(const FeatureChains& chains, Id chain, std::vector<VertexPair>& edges)
-{
-  for (Id k = chains.Begin(chain) + 1; k < chains.End(chain); ++k)
-  {
-    edges.push_back(PairOf(chains.At(k - 1), chains.At(k)));
-  }
-}
-
-/// The edges of chains that are noise.
-std::vector<VertexPair> NoisyEdges(const SurfaceGround& ground)
+std::vector<Id> NoisyChains(const SurfaceGround& ground)
 {
   const FeatureChains& chains = ground.Chains;
   std::vector<Id> degrees(ground.Mesh.Points.size(), 0);
@@ -298,7 +270,7 @@ std::vector<VertexPair> NoisyEdges(const SurfaceGround& ground)
     ++degrees[At(chains.At(chains.Begin(chain)))];
     ++degrees[At(chains.At(chains.End(chain) - 1))];
   }
-  std::vector<VertexPair> edges;
+  std::vector<Id> noisy;
   for (Id chain = 0; chain < chains.Size(); ++chain)
   {
     const auto first = At(chains.At(chains.Begin(chain)));
@@ -307,14 +279,23 @@ std::vector<VertexPair> NoisyEdges(const SurfaceGround& ground)
     if (isOpen && chains.Kinds[At(chain)] == SurfaceEdgeKind::Feature &&
       ground.LengthOf(chain) < 0.5 * (ground.Sizes[first] + ground.Sizes[last]))
     {
-      AddEdgesOf(chains, chain, edges);
+      noisy.push_back(chain);
     }
   }
-  return edges;
+  return noisy;
 }
 
-void ClearFlags(SurfaceGround& ground, std::vector<VertexPair> edges)
+/// Of the edges of chains; finds the others anew.
+void ClearFlags(SurfaceGround& ground, const std::vector<Id>& chains)
 {
+  std::vector<VertexPair> edges;
+  for (const Id chain : chains)
+  {
+    for (Id k = ground.Chains.Begin(chain) + 1; k < ground.Chains.End(chain); ++k)
+    {
+      edges.push_back(PairOf(ground.Chains.At(k - 1), ground.Chains.At(k)));
+    }
+  }
   std::sort(edges.begin(), edges.end());
   for (std::size_t slot = 0; slot < ground.Flags.size(); ++slot)
   {
@@ -369,22 +350,17 @@ void MergeCorners(SurfaceGround& ground)
 void DropNoise(SurfaceGround& ground)
 {
   constexpr int MostRounds = 5;
-  std::vector<VertexPair> edges = NoisyEdges(ground);
-  for (int round = 0; round < MostRounds && !edges.empty(); ++round)
+  std::vector<Id> chains = NoisyChains(ground);
+  for (int round = 0; round < MostRounds && !chains.empty(); ++round)
   {
-    ClearFlags(ground, std::move(edges));
-    edges = NoisyEdges(ground);
+    ClearFlags(ground, chains);
+    chains = NoisyChains(ground);
   }
 }
 
 void DropChains(SurfaceGround& ground, const std::vector<Id>& chains, Pulse& pulse)
 {
-  std::vector<VertexPair> edges;
-  for (const Id chain : chains)
-  {
-    AddEdgesOf(ground.Chains, chain, edges);
-  }
-  ClearFlags(ground, std::move(edges));
+  ClearFlags(ground, chains);
   LinkGround(ground, pulse);
 }
 

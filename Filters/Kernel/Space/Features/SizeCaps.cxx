@@ -10,7 +10,7 @@
 
 #include <algorithm>  // for min, max
 #include <array>      // for corners
-#include <cmath>      // for sqrt
+#include <cmath>      // for sqrt, floor
 #include <functional> // for greater
 #include <queue>      // for the front of the gradation
 #include <utility>    // for pairs
@@ -156,12 +156,11 @@ public:
       [this, &place, &least](const FeatureItem& item, double limit)
       {
         const Point3& tail = this->Ground.Mesh.Points[At(item.Tail)];
-        const Point3 side = this->Ground.Mesh.Points[At(item.Head)] - tail;
-        const double part = std::min(1.0, std::max(0.0, Dot(place - tail, side) / Dot(side, side)));
-        const Point3 foot = tail + part * side;
+        const Point3& head = this->Ground.Mesh.Points[At(item.Head)];
+        const Point3 foot = NearestPoint({ tail, head, head }, place);
         const double distance = Distance(place, foot);
-        const double way = std::min(this->Ways[At(item.Tail)] + part * Length(side),
-          this->Ways[At(item.Head)] + (1.0 - part) * Length(side));
+        const double way = std::min(this->Ways[At(item.Tail)] + Distance(tail, foot),
+          this->Ways[At(item.Head)] + Distance(head, foot));
         if (way > LeastRatio * distance && distance < least)
         {
           least = distance;
@@ -264,16 +263,32 @@ void MarkAround(const SurfaceGround& ground, Id triangle, const Point3& place, d
   }
 }
 
-/// Of a chain at its vertices of the input; a straight piece between two of them is one side.
+/// Whether the way a, b, c turns by less than .06 degrees: a side of the input that was divided.
+bool IsStraight(const SurfaceGround& ground, Id a, Id b, Id c)
+{
+  constexpr double LeastSine = 1e-3;
+  const Point3 in = ground.Mesh.Points[At(b)] - ground.Mesh.Points[At(a)];
+  const Point3 out = ground.Mesh.Points[At(c)] - ground.Mesh.Points[At(b)];
+  return Length(Cross(in, out)) < LeastSine * Dot(in, out);
+}
+
+/// Of a chain at its vertices of the input where it turns; a straight piece between two of them is
+/// one side.
 void CapByTurns(SurfaceGround& ground, Id chain, double tolerance)
 {
   std::vector<Id> turns;
   for (Id k = ground.Chains.Begin(chain); k < ground.Chains.End(chain); ++k)
   {
-    if (ground.Mesh.PointIds[At(ground.Chains.At(k))] != NoId)
+    const Id vertex = ground.Chains.At(k);
+    if (ground.Mesh.PointIds[At(vertex)] == NoId)
     {
-      turns.push_back(ground.Chains.At(k));
+      continue;
     }
+    if (turns.size() > 1 && IsStraight(ground, turns[turns.size() - 2], turns.back(), vertex))
+    {
+      turns.pop_back();
+    }
+    turns.push_back(vertex);
   }
   if (turns.size() > 2 && turns.front() == turns.back())
   {
@@ -296,15 +311,15 @@ void CapByTurns(SurfaceGround& ground, Id chain, double tolerance)
   }
 }
 
-/// The sum of the normals of the triangles at a vertex.
-Point3 NormalAt(const SurfaceGround& ground, Id vertex)
+/// Unit, of the sum of the normals of triangles; 0 where that is.
+Point3 NormalAt(const SurfaceGround& ground, const IdLists::List& triangles)
 {
   Point3 normal{};
-  for (const Id t : ground.TrianglesAt[vertex])
+  for (const Id t : triangles)
   {
     normal = normal + ground.NormalOf(At(t));
   }
-  return normal;
+  return (1.0 / std::max(Length(normal), 1e-300)) * normal;
 }
 
 /// How far from a triangle its surface has turned.
@@ -319,46 +334,64 @@ public:
     , Turn(turn)
     , Seen(mesh.NumberOfTriangles(), NoId)
   {
-    this->Rests.reserve(this->Seen.size());
-    for (std::size_t t = 0; t < this->Seen.size(); ++t)
-    {
-      const auto [a, b, c] = mesh.Triangle(t);
-      const double side = std::max(Distance(a, b), std::max(Distance(b, c), Distance(c, a)));
-      this->Rests.push_back(Length(mesh.Normal(t)) / (6.0 * side));
-    }
   }
 
-  /// Raises sizes from the middle of t and, where that is a cap and few triangles are nearer, from
-  /// the middles of its quarters at corners: the largest radius around counts, and in coarse
-  /// triangles few places would be tried.
+  /// Raises the sizes of triangles to the least distance from a place of t to a triangle whose
+  /// normal differs by more than Turn, to which a way leads over near triangles and over no
+  /// feature; to infinity where that is `most` or more. Those with their middles in the ball of
+  /// that radius: at an edge where faces turn the cap is the width of the faces, in however small
+  /// triangles. The place is the middle of t and, where that is a cap, more of them the fewer
+  /// triangles are near: balls have about as many places in triangles of any size.
   void Raise(std::size_t t, double most, std::vector<double>& sizes)
   {
-    constexpr std::size_t Few = 256;
+    constexpr std::size_t PlacesInBall = 256;
+    const std::array<Point3, 3> corner = this->Mesh.Triangle(t);
     const Point3 middle = this->Mesh.Middle(t);
-    bool isCoarse = this->RaiseFrom(t, middle, most, sizes) && this->Front.size() < Few;
-    for (std::size_t slot = 3 * t; slot < 3 * t + 3 && isCoarse; ++slot)
+    const double least = this->Walk(t, middle, most, true);
+    const bool isCap = least < most;
+    double extent = Distance(middle, corner[0]);
+    extent = std::max(extent, std::max(Distance(middle, corner[1]), Distance(middle, corner[2])));
+    extent = std::min(extent, 4.0 * least); // the balls of places farther away are others'
+    std::size_t places = 1;
+    if (isCap && this->Front.size() <= PlacesInBall)
     {
-      isCoarse = this->RaiseFrom(t, Midpoint(this->Mesh.At(slot), middle), most, sizes);
+      this->Walk(t, middle, least + extent, false);
+      places += PlacesInBall / this->Front.size();
+    }
+    for (std::size_t k = 0; k < places; ++k)
+    {
+      // The middle, then evenly spread: by multiples of 1 / g and 1 / g^2, where g^3 = g + 1.
+      const double share = 4.0 / 9.0 + 0.7548776662466927 * static_cast<double>(k);
+      const double part = 0.5 + 0.5698402909980532 * static_cast<double>(k);
+      const double u = std::sqrt(share - std::floor(share)); // areas grow as its square
+      const double v = u * (part - std::floor(part));
+      const Point3 place = (1.0 - u) * corner[0] + (u - v) * corner[1] + v * corner[2];
+      const bool isNear = Distance(place, middle) <= extent;
+      const double size = k == 0 ? least : isNear ? this->FromTurned(place) : 0.0;
+      for (const Id other : this->Front)
+      {
+        if (Distance(this->Mesh.Middle(At(other)), place) < size)
+        {
+          sizes[At(other)] = std::max(sizes[At(other)], isCap ? size : Infinity);
+        }
+      }
     }
   }
 
 private:
   static constexpr double MostTurn = 0.75; ///< of neighbors; more is a feature: above 44 degrees
 
-  /// Raises sizes to the least distance from a place of t to a triangle whose normal differs by
-  /// more than Turn, to which a way leads over nearer triangles and over no feature; to infinity
-  /// where that is `most` or more. Those of all triangles with their middles in the ball of that
-  /// radius: at an edge where faces turn the cap is the width of the faces, in however small
-  /// triangles. Whether it is less than `most`.
-  bool RaiseFrom(std::size_t t, const Point3& place, double most, std::vector<double>& sizes)
+  /// Lists the triangles around t that are nearer to the place than the reach: Front, and those
+  /// that have turned. `toFirst`: none beyond the first of these. Its distance, or the reach.
+  double Walk(std::size_t t, const Point3& place, double reach, bool toFirst)
   {
-    double best = most;
+    double least = reach;
     this->Seen[t] = ++this->Searches;
     this->Front.assign(1, static_cast<Id>(t));
-    std::size_t next = 0;
-    while (next < this->Front.size()) // it grows
+    this->Turned.clear();
+    for (std::size_t next = 0; next < this->Front.size(); ++next) // it grows
     {
-      const auto from = static_cast<std::size_t>(this->Front[next++]);
+      const auto from = static_cast<std::size_t>(this->Front[next]);
       for (std::size_t slot = 3 * from; slot < 3 * from + 3; ++slot)
       {
         const Id across = this->Links.Across[slot];
@@ -367,40 +400,28 @@ private:
           continue;
         }
         const std::size_t other = At(across / 3);
-        const double distance = this->DistanceTo(other, place);
-        if (distance >= best || this->Differ(from, other, MostTurn))
+        const double distance = Distance(place, NearestPoint(this->Mesh.Triangle(other), place));
+        if (distance >= (toFirst ? least : reach) || this->Differ(from, other, MostTurn))
         {
           continue;
         }
         this->Seen[other] = this->Searches;
-        if (this->Differ(t, other, this->Turn))
-        {
-          best = distance;
-        }
-        else
-        {
-          this->Front.push_back(static_cast<Id>(other));
-        }
+        const bool isTurned = this->Differ(t, other, this->Turn);
+        least = isTurned ? std::min(least, distance) : least;
+        (isTurned ? this->Turned : this->Front).push_back(static_cast<Id>(other));
       }
     }
-    for (const Id other : this->Front)
-    {
-      if (Distance(this->Mesh.Middle(At(other)), place) < best)
-      {
-        double& size = sizes[At(other)];
-        size = std::max(size, best < most ? best : Infinity);
-      }
-    }
-    return best < most;
+    return least;
   }
 
-  /// To its nearest place, and a sixth of its height on: from the middle of the half of a strip of
-  /// width s that is s / 2 then, as it is from the middle of the strip in the limit of small
-  /// triangles.
-  double DistanceTo(std::size_t triangle, const Point3& place) const
+  double FromTurned(const Point3& place) const
   {
-    return Distance(place, NearestPoint(this->Mesh.Triangle(triangle), place)) +
-      this->Rests[triangle];
+    double least = Infinity;
+    for (const Id t : this->Turned)
+    {
+      least = std::min(least, Distance(place, NearestPoint(this->Mesh.Triangle(At(t)), place)));
+    }
+    return least;
   }
 
   bool Differ(std::size_t a, std::size_t b, double turn) const
@@ -412,10 +433,10 @@ private:
   SurfaceLinks Links;
   const std::vector<Point3>& Normals;
   double Turn;
-  std::vector<double> Rests; ///< a sixth of the heights
-  std::vector<Id> Seen;      ///< the search that saw it last
+  std::vector<Id> Seen; ///< the search that saw it last
   Id Searches = 0;
   std::vector<Id> Front;
+  std::vector<Id> Turned;
 };
 
 } // namespace
@@ -430,16 +451,15 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
   // Triangles near a place are not measured: where it sees no wall they see none, and a wall's
   // distance changes by less than theirs.
   const auto measure = [&ball, &ground, &patches, &pieces, &isDone](const Point3& place,
-                         const Point3& normal, Id triangle, const Id* begin, const Id* end)
+                         const Point3& normal, Id triangle, const std::vector<Id>& vertices)
   {
     double size = 0.0; // no larger ball matters, nor any where f is as small as it may be
     double least = Infinity;
-    std::for_each(begin, end,
-      [&ground, &size, &least](Id v)
-      {
-        size = std::max(size, ground.Sizes[At(v)]);
-        least = std::min(least, LeastShare * ground.Given[At(v)]);
-      });
+    for (const Id v : vertices)
+    {
+      size = std::max(size, ground.Sizes[At(v)]);
+      least = std::min(least, LeastShare * ground.Given[At(v)]);
+    }
     double near = size > least ? 0.3 * size : 0.0;
     for (const double side : { 1.0, -1.0 })
     {
@@ -447,7 +467,10 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
       if (diameter < size)
       {
         near = std::min(near, 0.1 * std::max(diameter, least));
-        std::for_each(begin, end, [&ground, diameter](Id v) { Cap(ground, v, diameter); });
+        for (const Id v : vertices)
+        {
+          Cap(ground, v, diameter);
+        }
         CapWall(ground, patches, pieces[At(ball.Wall)], ball.Touch, diameter);
       }
     }
@@ -461,12 +484,7 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
     {
       continue;
     }
-    const Point3 normal = NormalAt(ground, vertex);
-    const double length = Length(normal);
-    if (length > 0.0)
-    {
-      measure(ground.Mesh.Points[v], (1.0 / length) * normal, around[0], &vertex, &vertex + 1);
-    }
+    measure(ground.Mesh.Points[v], NormalAt(ground, around), around[0], { vertex });
   }
   const auto isOnLine = [&ground](Id v) { return ground.Places[At(v)] != FeaturePlace::None; };
   // Strips without a vertex inside.
@@ -476,7 +494,8 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
     if (isDone[t] == 0 && std::all_of(corners, corners + 3, isOnLine) &&
       At(*std::max_element(corners, corners + 3)) >= firstVertex)
     {
-      measure(ground.Mesh.Middle(t), ground.NormalOf(t), static_cast<Id>(t), corners, corners + 3);
+      measure(ground.Mesh.Middle(t), ground.NormalOf(t), static_cast<Id>(t),
+        { corners[0], corners[1], corners[2] });
     }
   }
 }

@@ -265,11 +265,17 @@ IdLists PlacesByOwner(const std::vector<Id>& owners, std::size_t count, std::siz
 
 double SurfaceGround::LengthOf(Id chain) const
 {
+  const Id* vertices = this->Chains.Vertices.data();
+  return this->LengthOf(
+    { vertices + this->Chains.Begin(chain), vertices + this->Chains.End(chain) });
+}
+
+double SurfaceGround::LengthOf(const std::vector<Id>& path) const
+{
   double length = 0.0;
-  for (Id k = this->Chains.Begin(chain) + 1; k < this->Chains.End(chain); ++k)
+  for (std::size_t k = 1; k < path.size(); ++k)
   {
-    length += Distance(
-      this->Mesh.Points[At(this->Chains.At(k - 1))], this->Mesh.Points[At(this->Chains.At(k))]);
+    length += Distance(this->Mesh.Points[At(path[k - 1])], this->Mesh.Points[At(path[k])]);
   }
   return length;
 }

@@ -69,7 +69,10 @@ struct SurfaceGround
     return this->Normals[At(this->Mesh.Cells[triangle])];
   }
 
+  bool IsCorner(Id vertex) const { return this->Places[At(vertex)] == FeaturePlace::Corner; }
+
   double LengthOf(Id chain) const;
+  double LengthOf(const std::vector<Id>& path) const; ///< from vertex to vertex
 
   /// f at a point of the triangle.
   double SizeAt(Id triangle, const Point3& place) const;

@@ -255,12 +255,25 @@ TEST(SurfaceMesher, StaysWithinTheToleranceWhereTheSurfaceCurves)
 
 TEST(SurfaceMesher, DoesNotDependOnHowFacesAreTriangulated)
 {
-  const Soup torus = Torus(1.0, 0.3, 32);
-  const Meshed whole = MakeMesh(torus, Uniform(0.2));
-  const Meshed split = MakeMesh(Split(torus), Uniform(0.2));
-  EXPECT_EQ(EulerNumber(whole.Mesh), EulerNumber(split.Mesh));
-  const auto count = static_cast<double>(whole.Mesh.Points.size());
-  EXPECT_NEAR(static_cast<double>(split.Mesh.Points.size()), count, 0.03 * count);
+  std::vector<std::array<double, 2>> halfCircle{ { 0.0, -1.0 } };
+  for (int k = 1; k < 20; ++k)
+  {
+    const double angle = 3.141592653589793 * k / 20;
+    halfCircle.push_back({ std::sin(angle), -std::cos(angle) });
+  }
+  halfCircle.push_back({ 0.0, 1.0 });
+  // Where f is capped by little, at lines that turn, and at a ball of faces that turn by 9 degrees.
+  const std::vector<std::pair<Soup, double>> bodies{ { Torus(1.0, 0.3, 32), 0.2 },
+    { Turned({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } }, 10), 1.0 / 3.0 },
+    { Turned(halfCircle, 40), 0.385 } };
+  for (const auto& [body, size] : bodies)
+  {
+    const Meshed whole = MakeMesh(body, Uniform(size));
+    const Meshed split = MakeMesh(Split(body), Uniform(size));
+    EXPECT_EQ(EulerNumber(whole.Mesh), EulerNumber(split.Mesh));
+    const auto count = static_cast<double>(whole.Mesh.Points.size());
+    EXPECT_NEAR(static_cast<double>(split.Mesh.Points.size()), count, 0.03 * count) << size;
+  }
 }
 
 TEST(SurfaceMesher, MakesCornersOneThatAreNear)
