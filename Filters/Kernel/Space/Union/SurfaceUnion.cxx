@@ -472,6 +472,7 @@ private:
     const std::size_t axis = this->AxisOf(plane);
     const std::vector<Id>& points = this->PointsIn[At(plane)];
     std::vector<Point2> places;
+    places.reserve(points.size());
     for (const Id point : points)
     {
       places.push_back(this->Seen(point, axis));
