@@ -5,6 +5,7 @@
 
 #include "Bridge/Run/ProblemReport.h"
 #include "Bridge/Source/SpaceSpacing.h"
+#include "Kernel/Space/Union/ResolveCrossings.h"
 #include "vtkBitingSpaceMesherExecution.h"
 
 #include "vtkCompositeDataSet.h"
@@ -18,9 +19,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 static_assert(static_cast<int>(biting::ProblemCode::TooThin) == vtkBitingSpaceMesher::TOO_THIN &&
-    static_cast<int>(biting::ProblemCode::TooSharp) == vtkBitingSpaceMesher::TOO_SHARP &&
-    static_cast<int>(biting::ProblemCode::LostFeatures) == vtkBitingSpaceMesher::LOST_FEATURES &&
-    static_cast<int>(biting::ProblemCode::ClosedHoles) == vtkBitingSpaceMesher::CLOSED_HOLES,
+    static_cast<int>(biting::ProblemCode::UnitedSurfaces) == vtkBitingSpaceMesher::UNITED_SURFACES,
   "The kinds of problems that users see are those of the kernel.");
 
 //------------------------------------------------------------------------------
@@ -124,10 +123,9 @@ bool vtkBitingSpaceMesher::Execution::ReadSurface()
     return false;
   }
   const bool isEmpty = this->Given.Mesh.NumberOfTriangles() == 0;
-  return this->Accept(isEmpty && this->Drawing.NumberOfCells > 0
-             ? "The input has no surface to mesh: cells of two dimensions."
-             : "") &&
-    !isEmpty;
+  const bool isOther = isEmpty && this->Drawing.NumberOfCells > 0;
+  const char* reason = "The input has no surface to mesh: cells of two dimensions.";
+  return this->Accept(isOther ? reason : "") && !isEmpty;
 }
 
 //------------------------------------------------------------------------------
@@ -179,12 +177,13 @@ bool vtkBitingSpaceMesher::Execution::Check()
   options.Spacing = this->TakesOpen() ? biting::SpacingField() : this->Options.Spacing;
   biting::ProblemList found;
   this->Surface = biting::CheckSurface(std::move(this->Given.Mesh), options, found, this->Progress);
+  options.Spacing = this->Options.Spacing;
+  biting::ResolveCrossings(this->Surface, options, found, this->Progress);
+  using Code = biting::ProblemCode;
+  const Code meshed = this->TakesOpen() ? Code::OpenEdges : Code::PinchedVertices;
   for (const biting::ProblemGroup& group : found.Groups())
   {
-    const bool isMeshed = group.Code == biting::ProblemCode::NonManifoldEdges ||
-      group.Code ==
-        (this->TakesOpen() ? biting::ProblemCode::OpenEdges : biting::ProblemCode::PinchedVertices);
-    if (!isMeshed)
+    if (group.Code != Code::NonManifoldEdges && group.Code != meshed)
     {
       this->Problems.Add(group);
     }

@@ -40,10 +40,12 @@ public:
    */
   enum ProblemKindType
   {
-    TOO_THIN = 38,      ///< walls or feature lines too near to each other for f (cell)
-    TOO_SHARP = 39,     ///< faces at too small an angle for f (cell)
-    LOST_FEATURES = 40, ///< a feature that the mesh cuts off or leaves out (point)
-    CLOSED_HOLES = 41   ///< of vtkBitingTetrahedralizer: a hole that was closed (point)
+    TOO_THIN = 38,        ///< walls or feature lines too near to each other for f (cell)
+    TOO_SHARP = 39,       ///< faces at too small an angle for f (cell)
+    LOST_FEATURES = 40,   ///< a feature that the mesh cuts off or leaves out (point)
+    CLOSED_HOLES = 41,    ///< of vtkBitingTetrahedralizer: a hole that was closed (point)
+    SMALL_CROSSINGS = 42, ///< a crossing or fold too small to be seen (cell, cell)
+    UNITED_SURFACES = 43  ///< a crossing of surfaces that were united (cell, cell)
   };
 
   ///@{

@@ -53,7 +53,7 @@
  * The smallest thickness of closed shells, by balls that touch them from inside at two places with
  * opposite normals (within 20 degrees): at the middles of at most 100,000 triangles, evenly taken,
  * and for 4 million tests of a ball with a triangle. Lengths, areas and volumes are rounded.
- * Nesting of shells that cross each other is that of one vertex.
+ * Nesting is that of one vertex; shells that cross each other are not in each other.
  *
  * @par Cost:
  * O(n log n), and the pairs of triangles whose boxes meet; about 3 seconds for a million triangles

@@ -47,14 +47,14 @@
  * As output 2 of vtkBitingSurfaceCheck, with the kinds of ProblemKindType beside those of there.
  *
  * @par Messages:
- * Errors, with empty outputs: what vtkBitingSurfaceCheck refuses; a surface that crosses itself,
- * is folded, pinched or not orientable; walls or faces too near to each other for f (the place is
- * named); a source without values; too many vertices. The mesh is checked before it is handed out:
- * closed where the input is, each facet within 60 degrees of the surface, the Euler number, the
- * area and the volume of each part, all feature lines there, no self-crossing. Warnings: what was
- * repaired; fins and holes too small for f, feature lines that were given up, and edges too sharp
- * for f that were cut off, where facets may turn by more and points of the surface be up to 1.5 f
- * away. Empty input: empty outputs.
+ * Errors, with empty outputs: what vtkBitingSurfaceCheck refuses, but for closed surfaces without
+ * RegionArray that cross or fold (they become the union, with a warning, where it is clear; what is
+ * below f / 3 is cut out); walls or faces too near to each other for f; a source without values;
+ * too many vertices. The mesh is checked before it is handed out: closed where the input is, each
+ * facet within 60 degrees of the surface, the Euler number, the area and the volume of each part,
+ * all feature lines there, no self-crossing. Warnings: what was repaired; fins and holes too small
+ * for f, feature lines that were given up, and edges too sharp for f that were cut off, where
+ * facets may turn by more and points of the surface be up to 1.5 f away. Empty input: no outputs.
  *
  * The outputs depend on neither the number of threads nor that of ranks.
  */

@@ -17,14 +17,14 @@
  * @par Input 0, the surfaces:
  * As of vtkBitingSurfaceMesher, closed but for holes and cracks none of whose places is farther
  * from the border than f / (4 sqrt(2)): the generalized winding number is clear at f / 4 from the
- * surface then. These are closed, with a warning; cell arrays are those beside. What an odd number
- * of closed surfaces encloses is filled: a surface in another one bounds a cavity. With RegionArray
- * closed surfaces enclose the region of their value, and a surface in another one with another
- * value is the wall between two regions. Walls that two regions have, each its own, become one,
- * also where their triangles differ, as in contours of labels (vtkDiscreteMarchingCubes): no vertex
- * moves, the volume of a region changes by the space between the triangles, and a warning says
- * where. An array of two components has the values on both sides (vtkSurfaceNets3D); the value at
- * the outside is no region. Regions may touch themselves or others at single edges and vertices.
+ * surface then. These are closed, with a warning; cell arrays are those beside. Surfaces that cross
+ * are united; else a surface in another one bounds a cavity. With RegionArray closed surfaces
+ * enclose the region of their value, and a surface in another one with another value is the wall
+ * between two regions. Walls that two regions have, each its own, become one, also where their
+ * triangles differ, as in contours of labels (vtkDiscreteMarchingCubes): no vertex moves, regions
+ * change by the space between the triangles, and a warning says where. An array of two components
+ * has the values on both sides (vtkSurfaceNets3D); the value at the outside is no region. Regions
+ * may touch themselves or others at single edges and vertices.
  *
  * @par Input 1, the spacing source (optional), and the spacing f:
  * As of vtkBitingSurfaceMesher, in the whole body; 4 % of the diagonal where nothing is given.
@@ -53,10 +53,9 @@
  * As that of vtkBitingSurfaceMesher.
  *
  * @par Messages:
- * Errors, with empty outputs: those of vtkBitingSurfaceMesher; surfaces that are open
- * (vtkFillHolesFilter) or cross each other (vtkBooleanOperationPolyDataFilter). The mesh is checked
- * before it is handed out: all tetrahedra positive, by exact signs, their boundary closed and the
- * surface's, the volume of each region. Empty input: empty outputs.
+ * Errors, with empty outputs: those of vtkBitingSurfaceMesher; surfaces that are open. The mesh is
+ * checked before it is handed out: all tetrahedra positive, by exact signs, their boundary closed
+ * and the surface's, the volume of each region. Empty input: empty outputs.
  *
  * The outputs depend on neither the number of threads nor that of ranks.
  */

@@ -46,7 +46,8 @@ constexpr const char* ColorsOfArrays = R"({ "array_lookup_tables" : {
       "30", "Pinched vertex", "31", "Fold", "32", "Self-crossing", "33", "One side only",
       "34", "Duplicate triangle", "35", "Turned triangles", "36", "Touch within rounding",
       "37", "Side without partner", "38", "Too thin", "39", "Too sharp",
-      "40", "Lost feature line", "41", "Closed hole" ],
+      "40", "Lost feature line", "41", "Closed hole", "42", "Small crossing",
+      "43", "United surfaces" ],
     "IndexedColors" : [ 0.6, 0.6, 0.6, 0.4, 0.4, 0.4, 0.95, 0.6, 0.1, 1, 0.85, 0.1,
       0.55, 0.35, 0.85, 0.2, 0.6, 0.9, 0.1, 0.75, 0.75, 1, 0.1, 0.1, 0.75, 0, 0.4, 0.55, 0, 0.25,
       0.95, 0.3, 0.6, 0.5, 0.3, 0.1, 0.2, 0.2, 0.2, 0.9, 0.4, 0, 0, 0, 0,
@@ -56,7 +57,7 @@ constexpr const char* ColorsOfArrays = R"({ "array_lookup_tables" : {
       0.5, 0, 0.5, 0.9, 0.8, 0,
       1, 0, 0, 0.3, 0, 0, 0.4, 0.7, 0.9, 0.3, 0.8, 0.3, 0.7, 0.7, 0.7,
       0.9, 0.5, 0, 1, 0.2, 0.5, 0.8, 0, 0.3, 0.4, 0.4, 0.8,
-      0.2, 0.75, 0.55 ] } } } })";
+      0.2, 0.75, 0.55, 0.9, 0.65, 0.65, 0.25, 0.45, 0.85 ] } } } })";
 
 constexpr const char* Representations = R"({ "representations" : {
   "BitingMeshRepresentation" : { "EdgeColor" : [ 0.85, 0.88, 0.9 ] },

@@ -179,5 +179,9 @@ set(biting_kernel_sources
   Space/Surface/SurfaceThickness.cxx
   Space/Surface/SurfaceWelding.cxx
   Space/Surface/TriangleContact.cxx
+  Space/Union/ResolveCrossings.cxx
+  Space/Union/SmallCrossings.cxx
+  Space/Union/SurfaceUnion.cxx
+  Space/Union/WindingNumber.cxx
   BitingMesh.cxx
   BitingRemesh.cxx)

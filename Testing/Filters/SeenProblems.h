@@ -22,7 +22,7 @@
 namespace testing_filters
 {
 
-constexpr int NumberOfKinds = vtkBitingSurfaceMesher::CLOSED_HOLES + 1;
+constexpr int NumberOfKinds = vtkBitingSurfaceMesher::UNITED_SURFACES + 1;
 
 /// One point of the output, with its arrays.
 struct SeenProblem

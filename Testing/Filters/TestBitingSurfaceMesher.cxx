@@ -332,8 +332,17 @@ TEST(BitingSurfaceMesher, RefusesWithAPlaceWhatItCannotMesh)
   vtkNew<vtkAppendPolyData> both;
   both->AddInputData(Cube(2.0));
   both->AddInputData(Sphere(1.2));
+  both->Update();
   vtkNew<vtkBitingSurfaceMesher> filter;
   filter->SetInputConnection(both->GetOutputPort());
+  filter->SetUniformSpacing(0.2);
+  filter->Update();
+  EXPECT_EQ(Figure(filter->GetOutput(), "EulerNumber"), 2.0); // of the union
+  vtkPolyData* open = both->GetOutput();
+  open->BuildCells();
+  open->DeleteCell(0);
+  open->RemoveDeletedCells();
+  filter->SetInputData(open);
   EXPECT_TRUE(Has(ReasonOf(filter), "Self-crossings"));
   EXPECT_GT(filter->GetOutput(3)->GetNumberOfPoints(), 0);
   filter->SetInputData(Cube());

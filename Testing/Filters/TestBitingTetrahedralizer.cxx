@@ -419,6 +419,38 @@ TEST(BitingTetrahedralizer, ClosesNarrowHolesWithAWarningAndTheirPlaces)
   EXPECT_TRUE(Has(ReasonOf(filter), "Open edges"));
 }
 
+TEST(BitingTetrahedralizer, FillsTheUnionOfBodiesThatCrossWithAWarningAndTheirPlaces)
+{
+  auto first = Cube(2.0);
+  auto second = Cube(2.0);
+  const std::vector<double> ones(static_cast<std::size_t>(first->GetNumberOfCells()), 1.0);
+  const std::vector<double> twos(static_cast<std::size_t>(second->GetNumberOfCells()), 2.0);
+  AddArray<vtkIntArray>(first->GetCellData(), "Tag", ones);
+  AddArray<vtkIntArray>(second->GetCellData(), "Tag", twos);
+  for (vtkIdType k = 0; k < second->GetNumberOfPoints(); ++k)
+  {
+    const Place at = PointOf(second, k);
+    second->GetPoints()->SetPoint(k, at[0] + 1.0, at[1] + 0.5, at[2] + 0.25);
+  }
+  vtkNew<vtkBitingTetrahedralizer> filter;
+  filter->SetInputData(Together({ first, second }));
+  filter->SetUniformSpacing(0.25);
+  const Messages messages(filter);
+  filter->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  ASSERT_EQ(messages.Warnings.size(), 1u);
+  EXPECT_TRUE(Has(messages.Warnings.front(), "Crossings of closed surfaces"));
+  EXPECT_NEAR(Figure(filter->GetOutput(), "Volume"), 16.0 - 1.0 * 1.5 * 1.75, 1e-3);
+  EXPECT_EQ(Figure(filter->GetOutput(), "EulerNumber"), 2.0);
+  for (const SeenProblem& problem : ReadProblems(filter->GetProblems()))
+  {
+    EXPECT_TRUE(problem.IsError == 0 && problem.SecondId >= 0);
+  }
+  double range[2];
+  filter->GetBoundary()->GetCellData()->GetArray("Tag")->GetRange(range);
+  EXPECT_TRUE(range[0] == 1.0 && range[1] == 2.0);
+}
+
 TEST(BitingTetrahedralizer, RefusesWithAPlaceWhatItCannotFill)
 {
   vtkNew<vtkBitingTetrahedralizer> filter;
@@ -432,8 +464,13 @@ TEST(BitingTetrahedralizer, RefusesWithAPlaceWhatItCannotFill)
   const std::string reason = ReasonOf(filter);
   EXPECT_TRUE(Has(reason, "Open edges") && Has(reason, "near (")) << reason;
   EXPECT_EQ(ReadProblems(filter->GetProblems()).size(), 1u);
-  filter->SetInputData(Together({ Cube(2.0), Sphere(1.2) }));
+  auto regions = Together({ Cube(2.0), Sphere(1.2) });
+  const std::vector<double> numbers(static_cast<std::size_t>(regions->GetNumberOfCells()), 7.0);
+  AddArray<vtkIntArray>(regions->GetCellData(), "Region", numbers);
+  filter->SetInputData(regions);
+  filter->SetRegionArray("Region");
   EXPECT_TRUE(Has(ReasonOf(filter), "Self-crossings"));
+  filter->SetRegionArray("");
   filter->SetInputData(Cube());
   filter->SetBitingConstant(2.0);
   EXPECT_TRUE(Has(ReasonOf(filter), "Biting Constant"));

@@ -119,6 +119,10 @@ constexpr std::array<Wording, NumberOfProblemKinds + 1> Wordings = { {
     "They are too fine for the spacing." },
   { "ClosedHoles", "Holes and slits in the surface", "from point", "",
     "They were closed: they are narrower than a third of the spacing there." },
+  { "SmallCrossings", "Small crossings and folds of the surface", "cell", "cell",
+    "They were cut out and closed: they are smaller than a third of the spacing there." },
+  { "UnitedSurfaces", "Crossings of closed surfaces", "cell", "cell",
+    "The mesh is that of their union." },
   { "Aborted", "Aborted", "", "", "" },
 } };
 

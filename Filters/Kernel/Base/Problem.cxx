@@ -39,12 +39,9 @@ ProblemGroup& ProblemList::GroupOf(ProblemCode code)
 
 std::int64_t ProblemList::Count(ProblemCode code) const
 {
-  std::int64_t count = 0;
-  for (const ProblemGroup& group : this->Kinds)
-  {
-    count += group.Code == code ? group.Count : 0;
-  }
-  return count;
+  const auto group = std::find_if(this->Kinds.begin(), this->Kinds.end(),
+    [code](const ProblemGroup& one) { return one.Code == code; });
+  return group != this->Kinds.end() ? group->Count : 0;
 }
 
 bool ProblemList::HasErrors() const

@@ -78,9 +78,11 @@ enum class ProblemCode
   TooThin,  ///< walls or feature lines too near to each other for f (ids: cell)
   TooSharp, ///< faces at too small an angle for f (ids: cell)
   // Meshed, and told.
-  LostFeatures, ///< lines or sharp edges that the mesh cuts off or leaves out (ids: point)
-  ClosedHoles,  ///< loops of open edges that are narrow for f: closed (ids: point)
-  Aborted       ///< the monitor asked to stop; not an error
+  LostFeatures,   ///< lines or sharp edges that the mesh cuts off or leaves out (ids: point)
+  ClosedHoles,    ///< loops of open edges that are narrow for f: closed (ids: point)
+  SmallCrossings, ///< triangles that cross or fold, too small for f to be seen (ids: cell, cell)
+  UnitedSurfaces, ///< surfaces that cross: the mesh is that of their union (ids: cell, cell)
+  Aborted         ///< the monitor asked to stop; not an error
 };
 
 /// One thing that is wrong with the input: what, which, where.

@@ -106,6 +106,7 @@ const std::map<std::string, std::set<std::string>> Arrows = {
   { "Kernel/Quality", { "Base", "Predicates" } },
   { "Kernel/Space/Quality", { "Base" } },
   { "Kernel/Space/Surface", { "Base", "Predicates" } },
+  { "Kernel/Space/Union", { "Base", "Predicates", "Delaunay", "Space/Surface" } },
   { "Kernel/Space/Features", { "Base", "Predicates", "Space/Surface" } },
   { "Kernel/Space/Biting", { "Base", "Space/Surface", "Space/Features" } },
   { "Kernel/Space/Boundary",
@@ -170,6 +171,7 @@ const std::map<std::string, Budget> Budgets = {
   { "Kernel/Space/Meshing", { 2150, 14 } },
   { "Kernel/Space/Quality", { 400, 2 } },
   { "Kernel/Space/Surface", { 3400, 20 } },
+  { "Kernel/Space/Union", { 1110, 5 } },
 };
 
 bool IsAllowed(const std::string& from, const std::string& to)

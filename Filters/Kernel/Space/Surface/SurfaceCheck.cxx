@@ -5,7 +5,6 @@
 
 #include "../../Base/Numbers.h"
 #include "SharedWalls.h"
-#include "SurfaceCrossings.h"
 #include "SurfaceRepair.h"
 #include "SurfaceWelding.h"
 
@@ -47,7 +46,7 @@ private:
   {
     return Midpoint(this->Mesh.At(NextSlotOf(slot)), this->Mesh.At(PreviousSlotOf(slot)));
   }
-  std::int64_t CellOf(std::size_t triangle) const { return this->Mesh.Cells[triangle]; }
+  std::int64_t CellOf(Id triangle) const { return this->Mesh.Cells[At(triangle)]; }
 
   CheckedSurface& Result;
   SurfaceMesh& Mesh;
@@ -72,7 +71,8 @@ void SurfaceChecker::Run(Monitor& monitor)
   monitor.BeginStage("Looking for crossings");
   const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(this->Mesh, this->Beats);
   this->TellContacts(tree);
-  OrientByNesting(this->Mesh, this->Links, tree, this->Result.Shells, this->Beats);
+  OrientByNesting(
+    this->Mesh, this->Links, tree, this->Result.Crossings, this->Result.Shells, this->Beats);
   monitor.BeginStage("Measuring");
   if (this->Options.TellsThickness)
   {
@@ -118,13 +118,11 @@ void SurfaceChecker::TellCrowded()
 {
   for (std::size_t edge = 0; edge < this->Links.NumberOfCrowded(); ++edge)
   {
-    const auto begin = static_cast<std::size_t>(this->Links.CrowdedOffsets[edge]);
-    const auto slotAt = [this, begin](std::size_t k)
-    { return static_cast<std::size_t>(this->Links.CrowdedSlots[begin + k]); };
+    const Id* slots = &this->Links.CrowdedSlots[At(this->Links.CrowdedOffsets[edge])];
     const Id count = this->Links.CrowdedOffsets[edge + 1] - this->Links.CrowdedOffsets[edge];
     this->Problems.Add(
-      { ProblemCode::NonManifoldEdges, { this->CellOf(slotAt(0) / 3), this->CellOf(slotAt(1) / 3) },
-        this->MiddleOf(slotAt(0)), std::to_string(count) + " triangles" });
+      { ProblemCode::NonManifoldEdges, { this->CellOf(slots[0] / 3), this->CellOf(slots[1] / 3) },
+        this->MiddleOf(At(slots[0])), std::to_string(count) + " triangles" });
   }
 }
 
@@ -132,9 +130,8 @@ void SurfaceChecker::TellPinched()
 {
   for (const Id vertex : PinchedVertices(this->Mesh, this->Links, this->Beats))
   {
-    const auto v = static_cast<std::size_t>(vertex);
-    this->Problems.Add(
-      { ProblemCode::PinchedVertices, { this->Mesh.PointIds[v] }, this->Mesh.Points[v], "" });
+    this->Problems.Add({ ProblemCode::PinchedVertices, { this->Mesh.PointIds[At(vertex)] },
+      this->Mesh.Points[At(vertex)], "" });
   }
 }
 
@@ -142,13 +139,12 @@ void SurfaceChecker::TellContacts(const BoxTree<SurfaceItem, 3>& tree)
 {
   const auto tell = [this](ProblemCode code, const SurfaceContact& contact, const char* what)
   {
-    this->Problems.Add({ code,
-      { this->CellOf(static_cast<std::size_t>(contact.First)),
-        this->CellOf(static_cast<std::size_t>(contact.Second)) },
+    this->Problems.Add({ code, { this->CellOf(contact.First), this->CellOf(contact.Second) },
       contact.Place, what + Figure(contact.Depth, 6) });
   };
-  for (const SurfaceContact& fold :
-    FindFolds(this->Mesh, this->Links, this->Options.Noise, this->Beats))
+  std::vector<SurfaceContact>& crossings = this->Result.Crossings;
+  crossings = FindFolds(this->Mesh, this->Links, this->Options.Noise, this->Beats);
+  for (const SurfaceContact& fold : crossings)
   {
     tell(ProblemCode::Folds, fold, "over a width of ");
   }
@@ -157,6 +153,7 @@ void SurfaceChecker::TellContacts(const BoxTree<SurfaceItem, 3>& tree)
     const bool isDeep = contact.Depth > this->Options.Noise;
     this->Result.Figures.Touches += isDeep ? 0 : 1;
     tell(isDeep ? ProblemCode::SelfCrossings : ProblemCode::SurfaceTouches, contact, "depth ");
+    (isDeep ? crossings : this->Result.Touches).push_back(contact);
   }
 }
 
@@ -189,8 +186,8 @@ void SurfaceChecker::CollectFeatures()
     });
   for (std::size_t edge = 0; edge < this->Links.NumberOfCrowded(); ++edge)
   {
-    const auto first = static_cast<std::size_t>(this->Links.CrowdedOffsets[edge]);
-    add(static_cast<std::size_t>(this->Links.CrowdedSlots[first]), SurfaceEdgeKind::NonManifold);
+    const Id first = this->Links.CrowdedOffsets[edge];
+    add(At(this->Links.CrowdedSlots[At(first)]), SurfaceEdgeKind::NonManifold);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "../../Base/Monitor.h"
 #include "../../Base/Problem.h"
+#include "SurfaceCrossings.h"
 #include "SurfaceHoles.h"
 #include "SurfaceShells.h"
 #include "SurfaceThickness.h"
@@ -59,6 +60,8 @@ struct CheckedSurface
   SurfaceShells Shells;
   std::vector<Id> EdgeEnds; ///< of feature edges, two vertices each
   std::vector<SurfaceEdgeKind> EdgeKinds;
+  std::vector<SurfaceContact> Crossings; ///< deeper than noise, and folds
+  std::vector<SurfaceContact> Touches;   ///< not deeper
   SurfaceFigures Figures;
   SurfaceThickness Thickness;
 };

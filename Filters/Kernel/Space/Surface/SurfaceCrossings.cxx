@@ -41,8 +41,8 @@ Triangle3 FromCorner(const SurfaceMesh& mesh, std::size_t slot)
 
 bool HaveContact(const SurfaceMesh& mesh, Id first, Id second, SurfaceContact& contact)
 {
-  std::size_t slotA = 3 * static_cast<std::size_t>(first);
-  std::size_t slotB = 3 * static_cast<std::size_t>(second);
+  std::size_t slotA = 3 * At(first);
+  std::size_t slotB = 3 * At(second);
   const std::size_t shared = JoinedCorners(mesh, slotA, slotB);
   if (shared > 1)
   {
@@ -54,9 +54,7 @@ bool HaveContact(const SurfaceMesh& mesh, Id first, Id second, SurfaceContact& c
   {
     return false;
   }
-  contact.First = first;
-  contact.Second = second;
-  contact.Depth = DepthOfMeeting(a, b);
+  contact = { first, second, contact.Place, DepthOfMeeting(a, b) };
   return true;
 }
 

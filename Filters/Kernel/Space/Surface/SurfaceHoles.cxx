@@ -8,7 +8,7 @@
 #include "../../Base/Numbers.h"
 #include "SurfaceRepair.h"
 
-#include <algorithm> // for all_of, find_if, min, minmax, reverse, rotate
+#include <algorithm> // for all_of, find_if, min, minmax, rotate
 #include <array>     // for triangles
 #include <numeric>   // for iota
 #include <set>       // for edges
@@ -57,8 +57,7 @@ public:
   bool CloseBetween(const BorderChain& hole, const BorderChain& other)
   {
     this->Begin(other);
-    const std::vector<Id> loop = std::move(this->Loop);
-    std::vector<std::size_t> beside = std::move(this->Beside);
+    const LoopEdges loop = std::move(this->Loop);
     this->Begin(hole);
     std::array<std::size_t, 2> nearest{ 0, 0 };
     double least = Infinity;
@@ -66,7 +65,7 @@ public:
     {
       for (std::size_t j = 0; j < loop.size() && this->Beats.Beat(1); ++j)
       {
-        const double distance = Distance(this->Place(i), this->Mesh.Points[At(loop[j])]);
+        const double distance = Distance(this->Place(i), this->Mesh.Points[At(loop[j].first)]);
         nearest = distance < least ? std::array<std::size_t, 2>{ i, j } : nearest;
         least = std::min(distance, least);
       }
@@ -75,60 +74,56 @@ public:
     {
       return false;
     }
-    this->Join(nearest[0], loop, beside, nearest[1]);
+    this->Join(nearest[0], loop, nearest[1]);
     return this->Fill();
   }
 
 private:
-  using Corners = std::array<std::size_t, 3>; ///< places of the loop, in order
+  using Corners = std::array<std::size_t, 3>;                ///< places of the loop, in order
+  using LoopEdges = std::vector<std::pair<Id, std::size_t>>; ///< from a vertex; triangle beside
 
   // Takes the loop in the direction that patches have, against the triangles beside.
   void Begin(const BorderChain& hole)
   {
     this->Triangles.clear();
-    this->Loop.assign(hole.Vertices.begin(), hole.Vertices.end() - 1);
-    this->Beside.clear();
-    for (const Id slot : hole.Slots)
+    this->Loop.clear();
+    const std::size_t count = hole.Slots.size();
+    const Id first = this->Mesh.Corners[NextSlotOf(At(hole.Slots.front()))];
+    for (std::size_t k = 0; k < count; ++k)
     {
-      this->Beside.push_back(At(slot) / 3);
-    }
-    if (this->Mesh.Corners[NextSlotOf(At(hole.Slots.front()))] == this->Loop.front())
-    {
-      std::reverse(this->Loop.begin(), this->Loop.end());
-      std::reverse(this->Beside.begin(), this->Beside.end() - 1);
+      const bool isTurned = first == hole.Vertices.front();
+      const std::size_t edge = isTurned ? (2 * count - 2 - k) % count : k;
+      this->Loop.emplace_back(hole.Vertices[isTurned ? edge + 1 : k], At(hole.Slots[edge]) / 3);
     }
   }
 
-  const Point3& Place(std::size_t k) const { return this->Mesh.Points[At(this->Loop[k])]; }
+  const Point3& Place(std::size_t k) const { return this->Mesh.Points[At(this->Loop[k].first)]; }
 
   bool HasEdge(std::size_t i, std::size_t j) const
   {
-    return this->Loop[i] == this->Loop[j] ||
-      this->Chords.count(std::minmax(this->Loop[i], this->Loop[j])) > 0 ||
-      biting::HasEdge(this->Mesh, this->SlotsAt, this->Loop[i], this->Loop[j]);
+    const Id one = this->Loop[i].first;
+    const Id other = this->Loop[j].first;
+    return one == other || this->Chords.count(std::minmax(one, other)) > 0 ||
+      biting::HasEdge(this->Mesh, this->SlotsAt, one, other);
   }
 
   // The loop becomes one with another one, from its place `own` to the place `its` of that.
-  void Join(std::size_t own, std::vector<Id> loop, std::vector<std::size_t> beside, std::size_t its)
+  void Join(std::size_t own, LoopEdges loop, std::size_t its)
   {
-    const auto turn = [](auto& items, std::size_t first) {
-      std::rotate(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(first), items.end());
+    const auto turn = [](LoopEdges& edges, std::size_t first) {
+      std::rotate(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(first), edges.end());
     };
     turn(this->Loop, own);
-    turn(this->Beside, own);
     turn(loop, its);
-    turn(beside, its);
-    const bool isEdge = this->Loop.front() != loop.front();
-    if (isEdge)
+    const Id from = this->Loop.front().first;
+    const Id to = loop.front().first;
+    if (from != to)
     {
-      this->Chords.insert(std::minmax(this->Loop.front(), loop.front()));
-      this->Loop.push_back(this->Loop.front());
-      this->Beside.push_back(this->Beside.back());
-      loop.push_back(loop.front());
-      beside.push_back(beside.back());
+      this->Chords.insert(std::minmax(from, to));
+      this->Loop.emplace_back(from, this->Loop.back().second);
+      loop.emplace_back(to, loop.back().second);
     }
     this->Loop.insert(this->Loop.end(), loop.begin(), loop.end());
-    this->Beside.insert(this->Beside.end(), beside.begin(), beside.end());
   }
 
   // Whether the loop was closed.
@@ -155,8 +150,8 @@ private:
       const Point3& a = this->Place(corners[0]);
       area += Length(Cross(this->Place(corners[1]) - a, this->Place(corners[2]) - a));
     }
-    const Id first = this->Parts.SetOf(static_cast<Id>(this->Beside.front()));
-    const Id last = this->Parts.SetOf(static_cast<Id>(this->Beside.back()));
+    const Id first = this->Parts.SetOf(static_cast<Id>(this->Loop.front().second));
+    const Id last = this->Parts.SetOf(static_cast<Id>(this->Loop.back().second));
     return area >= this->Areas[At(first)] + (first != last ? this->Areas[At(last)] : 0.0);
   }
 
@@ -289,11 +284,12 @@ private:
       }
       const std::size_t added = this->Mesh.NumberOfTriangles();
       this->Mesh.Resize(added + 1);
-      this->Mesh.CopyTriangle(this->Beside[corners[from]], added);
+      this->Mesh.CopyTriangle(this->Loop[corners[from]].second, added);
       for (std::size_t k = 0; k < 3; ++k)
       {
-        this->Mesh.Corners[3 * added + k] = this->Loop[corners[k]];
-        this->Chords.insert(std::minmax(this->Loop[corners[k]], this->Loop[corners[(k + 1) % 3]]));
+        const Id vertex = this->Loop[corners[k]].first;
+        this->Mesh.Corners[3 * added + k] = vertex;
+        this->Chords.insert(std::minmax({ vertex, this->Loop[corners[(k + 1) % 3]].first }));
       }
     }
   }
@@ -305,8 +301,7 @@ private:
   DisjointSets Parts;                 ///< of given triangles: by edges of two
   std::vector<double> Areas;          ///< of the parts
   std::set<std::pair<Id, Id>> Chords; ///< edges of patches
-  std::vector<Id> Loop;               ///< vertices of the hole at hand
-  std::vector<std::size_t> Beside;    ///< of each edge of it, from its vertex on: the triangle
+  LoopEdges Loop;                     ///< of the hole at hand
   std::vector<Corners> Triangles;     ///< of its patch
 };
 

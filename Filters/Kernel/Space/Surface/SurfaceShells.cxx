@@ -9,6 +9,7 @@
 
 #include <algorithm> // for count_if, find, max, min, sort, upper_bound
 #include <cstdint>   // for marks
+#include <set>       // for pairs
 #include <string>    // for figures
 #include <utility>   // for swap
 
@@ -167,19 +168,22 @@ void FindParts(const SurfaceMesh& mesh, SurfaceShells& shells)
   }
 }
 
-// How many closed shells other than its own are around the point; NoId where one touches it.
+// Pairs of shells, in both orders.
+using ShellPairs = std::set<std::pair<Id, Id>>;
+
+// How many closed shells that do not cross its own are around the point; NoId where one touches it.
 Id DepthOf(const Point3& p, Id own, const BoxTree<SurfaceItem, 3>& tree, const SurfaceMesh& mesh,
-  const SurfaceShells& shells)
+  const SurfaceShells& shells, const ShellPairs& crossing)
 {
   std::vector<Id> met;
   Box3 ray = Box3::Around(p, p);
   ray.High.X = Infinity;
   const bool isClear = tree.AllOf(ray,
-    [&p, own, &mesh, &shells, &met](const SurfaceItem& item)
+    [&p, own, &mesh, &shells, &crossing, &met](const SurfaceItem& item)
     {
       const auto t = static_cast<std::size_t>(item.Triangle);
       const Id shell = shells.ShellOf[t];
-      if (shell == own || !shells.IsSolid(t))
+      if (shell == own || !shells.IsSolid(t) || crossing.count({ own, shell }) > 0)
       {
         return true;
       }
@@ -254,8 +258,15 @@ SurfaceShells FindShells(
 }
 
 void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<SurfaceItem, 3>& tree,
-  SurfaceShells& shells, Pulse& pulse)
+  const std::vector<SurfaceContact>& crossings, SurfaceShells& shells, Pulse& pulse)
 {
+  ShellPairs crossing;
+  for (const SurfaceContact& contact : crossings)
+  {
+    const Id one = shells.ShellOf[At(contact.First)];
+    const Id other = shells.ShellOf[At(contact.Second)];
+    crossing.insert({ { one, other }, { other, one } });
+  }
   constexpr std::size_t MostTries = 300; // corners, where shells touch in many vertices
   const std::vector<std::size_t> farthest = FarthestSlots(mesh, shells);
   std::vector<std::uint8_t> isTurned(shells.Shells.size(), 0);
@@ -268,12 +279,13 @@ void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<Surfa
       continue;
     }
     const Id own = static_cast<Id>(k);
-    shell.Depth = DepthOf(mesh.At(farthest[k]), own, tree, mesh, shells);
+    shell.Depth = DepthOf(mesh.At(farthest[k]), own, tree, mesh, shells, crossing);
     const std::size_t end = std::min(mesh.Corners.size(), 3 * first + MostTries);
     for (std::size_t slot = 3 * first; shell.Depth == NoId && slot < end; ++slot)
     {
-      shell.Depth =
-        shells.ShellOf[slot / 3] == own ? DepthOf(mesh.At(slot), own, tree, mesh, shells) : NoId;
+      shell.Depth = shells.ShellOf[slot / 3] == own
+        ? DepthOf(mesh.At(slot), own, tree, mesh, shells, crossing)
+        : NoId;
     }
     shell.Depth = std::max(shell.Depth, Id{ 0 });
     isTurned[k] = (shell.Volume < 0.0) == (shell.Depth % 2 == 0) && shell.Volume != 0.0 ? 1 : 0;

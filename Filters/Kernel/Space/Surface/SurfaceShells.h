@@ -4,10 +4,8 @@
 #ifndef BitingSurfaceShells_h
 #define BitingSurfaceShells_h
 
-#include "../../Base/BoxTree.h"
 #include "../../Base/Problem.h"
-#include "../../Base/Pulse.h"
-#include "SurfaceLinks.h"
+#include "SurfaceCrossings.h"
 
 #include <vector> // for shells
 
@@ -51,10 +49,10 @@ SurfaceShells FindShells(
   SurfaceMesh& mesh, SurfaceLinks& links, ProblemList& problems, Pulse& pulse);
 
 /// Orients closed shells by nesting: outwards where an even number of others is around them, else
-/// inwards; links follow. Decided by exact signs along a ray from a vertex that no other shell
-/// touches, if there is one. `tree` has all triangles.
+/// inwards; links follow. Shells that cross are not around each other. Decided by exact signs along
+/// a ray from a vertex that no other shell touches, if there is one. `tree` has all triangles.
 void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<SurfaceItem, 3>& tree,
-  SurfaceShells& shells, Pulse& pulse);
+  const std::vector<SurfaceContact>& crossings, SurfaceShells& shells, Pulse& pulse);
 
 } // namespace biting
 

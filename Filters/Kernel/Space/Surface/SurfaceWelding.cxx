@@ -28,11 +28,9 @@ void MergeVertices(SurfaceMesh& mesh, const std::vector<Id>& kept)
   std::size_t triangles = 0;
   for (std::size_t t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    Id corners[3];
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      corners[k] = kept[static_cast<std::size_t>(mesh.Corners[3 * t + k])];
-    }
+    const auto corner = [&mesh, &kept, t](std::size_t k)
+    { return kept[At(mesh.Corners[3 * t + k])]; };
+    const Id corners[] = { corner(0), corner(1), corner(2) };
     if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
     {
       mesh.CopyTriangle(t, triangles);
