@@ -8,7 +8,7 @@
 #include "../../Base/Numbers.h"
 #include "SurfaceRepair.h"
 
-#include <algorithm> // for all_of, find_if, min, minmax, rotate
+#include <algorithm> // for all_of, find_if, max, min, minmax, rotate
 #include <array>     // for triangles
 #include <numeric>   // for iota
 #include <set>       // for edges
@@ -34,10 +34,8 @@ public:
   {
     for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
     {
-      if (links.Across[slot] >= 0)
-      {
-        this->Parts.Unite(static_cast<Id>(slot / 3), links.Across[slot] / 3);
-      }
+      const Id own = static_cast<Id>(slot); // an open edge: with itself
+      this->Parts.Unite(own / 3, std::max(own, links.Across[slot]) / 3);
     }
     for (std::size_t t = 0; t < mesh.NumberOfTriangles(); ++t)
     {

@@ -269,8 +269,7 @@ bool HasEdge(const SurfaceMesh& mesh, const IdLists& slotsAt, Id one, Id other)
 
 bool AreAlike(const SurfaceMesh& mesh, const SurfaceLinks& links, std::size_t slot)
 {
-  const auto other = static_cast<std::size_t>(links.Across[slot]);
-  return mesh.Corners[NextSlotOf(slot)] != mesh.Corners[NextSlotOf(other)];
+  return mesh.Corners[NextSlotOf(slot)] != mesh.Corners[NextSlotOf(At(links.Across[slot]))];
 }
 
 std::vector<Id> PinchedVertices(const SurfaceMesh& mesh, const SurfaceLinks& links, Pulse& pulse)
