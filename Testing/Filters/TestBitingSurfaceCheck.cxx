@@ -151,6 +151,28 @@ TEST(BitingSurfaceCheck, DividesQuadraticCellsAtThePointsOfTheirSides)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 32);
 }
 
+TEST(BitingSurfaceCheck, KeepsTheAreaOfQuadraticPolygonsWithReflexCorners)
+{
+  const double corners[6][2] = { { 0.0, 0.0 }, { 2.0, 0.0 }, { 2.0, 1.0 }, { 1.0, 1.0 },
+    { 1.0, 2.0 }, { 0.0, 2.0 } };
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  grid->SetPoints(points);
+  vtkIdType ids[12];
+  for (int k = 0; k < 6; ++k)
+  {
+    const double* a = corners[k];
+    const double* b = corners[(k + 1) % 6];
+    ids[k] = points->InsertNextPoint(a[0], a[1], 0.0);
+    ids[k + 6] = points->InsertNextPoint(0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.0);
+  }
+  grid->InsertNextCell(VTK_QUADRATIC_POLYGON, 12, ids);
+  vtkNew<vtkBitingSurfaceCheck> filter;
+  filter->SetInputData(grid);
+  filter->Update();
+  EXPECT_DOUBLE_EQ(FigureOf(filter, "Area"), 3.0);
+}
+
 TEST(BitingSurfaceCheck, TellsProblemsWithPlacesIdsAndWords)
 {
   vtkNew<vtkAppendPolyData> both;

@@ -216,6 +216,13 @@ TEST(BitingSurfaceMesher, FollowsATurnedImageWithHolesTooAndHeedsNoHiddenPoint)
   filter->Update();
   EXPECT_NEAR(static_cast<double>(filter->GetOutput()->GetNumberOfPoints()), expected, 9.0);
 
+  // Ghosts of another piece have values.
+  image->AllocateCellGhostArray();
+  image->GetCellGhostArray()->Fill(vtkDataSetAttributes::DUPLICATECELL);
+  image->Modified();
+  filter->Update();
+  EXPECT_NEAR(static_cast<double>(filter->GetOutput()->GetNumberOfPoints()), expected, 9.0);
+
   sizes->SetTuple1(corner, 1e-4);
   image->AllocatePointGhostArray();
   image->GetPointGhostArray()->SetValue(corner, vtkDataSetAttributes::HIDDENPOINT);

@@ -4,6 +4,7 @@
 #include "BodyOracle.h"
 
 #include "Predicates/Predicates3.h"
+#include "Space/Union/ResolveCrossings.h"
 
 #include "Support/TestThreads.h"
 
@@ -511,7 +512,9 @@ BodyOutcome RunSurfaceCase(const SurfaceCase& surface, bool isRepeated)
   ProblemList checks;
   SurfaceCheckOptions check = surface.Check;
   check.Spacing = surface.IsToFill ? surface.Options.Surface.Spacing : SpacingField();
-  const CheckedSurface checked = CheckSurface(surface.Input, check, checks, NoMonitor());
+  CheckedSurface checked = CheckSurface(surface.Input, check, checks, NoMonitor());
+  check.Spacing = surface.Options.Surface.Spacing;
+  ResolveCrossings(checked, check, checks, NoMonitor());
   outcome.Refusal = TextOf(checks, outcome.Violation);
   outcome.IsClean = !checks.HasErrors() && checks.Groups().empty();
   const bool isThere = checked.Mesh.NumberOfTriangles() > 0; // more than rounding

@@ -63,9 +63,10 @@ vtkUnsignedCharArray* GhostsOf(vtkDataSet* data, int association)
   return isOfAll ? ghosts : nullptr;
 }
 
-GhostArrays::GhostArrays(vtkDataSet* data)
+GhostArrays::GhostArrays(vtkDataSet* data, int notHere)
   : OfCells(GhostsOf(data, vtkDataObject::CELL))
   , OfPoints(GhostsOf(data, vtkDataObject::POINT))
+  , NotHere(notHere)
 {
 }
 
@@ -76,7 +77,7 @@ bool GhostArrays::IsHidden(vtkIdType point) const
 
 bool GhostArrays::LeaveOut(vtkIdType cell, vtkIdType size, const vtkIdType* points) const
 {
-  return HasFlag(this->OfCells, cell, CellsNotHere) ||
+  return HasFlag(this->OfCells, cell, this->NotHere) ||
     std::any_of(points, points + size, [this](vtkIdType point) { return this->IsHidden(point); });
 }
 

@@ -34,16 +34,18 @@ vtkUnsignedCharArray* GhostsOf(vtkDataSet* data, int association);
 class GhostArrays
 {
 public:
-  explicit GhostArrays(vtkDataSet* data);
+  /// `notHere`: flags of cells to leave out.
+  explicit GhostArrays(vtkDataSet* data, int notHere = CellsNotHere);
 
   bool IsHidden(vtkIdType point) const;
 
-  /// Whether a cell has one of CellsNotHere, or a hidden point.
+  /// Whether a cell is not here, or has a hidden point.
   bool LeaveOut(vtkIdType cell, vtkIdType size, const vtkIdType* points) const;
 
 private:
   vtkUnsignedCharArray* OfCells;
   vtkUnsignedCharArray* OfPoints;
+  int NotHere;
 };
 
 /// Whether the ghost array of points or cells, if there is one, has one of `flags`.

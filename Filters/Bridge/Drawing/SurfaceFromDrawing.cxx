@@ -41,6 +41,7 @@ public:
 
 private:
   std::string AddCell(const SeenCell& cell);
+  bool IsConvex() const;
   void CutCorners(int type);
   void AddStrip();
   void AddFace();
@@ -103,14 +104,36 @@ std::string SurfaceReader::AddCell(const SeenCell& cell)
     : "";
 }
 
+// Whether the outline turns to one side at all corners of a quadratic cell.
+bool SurfaceReader::IsConvex() const
+{
+  const std::size_t size = this->Outline.size();
+  const auto turn = [this, size](std::size_t corner)
+  {
+    const Point3& middle = this->At(corner);
+    return Cross(middle - this->At((corner + size - 1) % size), this->At(corner + 1) - middle);
+  };
+  Point3 normal;
+  for (std::size_t k = 0; k + 1 < size; ++k)
+  {
+    normal = normal + Cross(this->At(k) - this->At(0), this->At(k + 1) - this->At(0));
+  }
+  bool isConvex = true;
+  for (std::size_t corner = 0; corner < size; corner += 2)
+  {
+    isConvex = isConvex && Dot(turn(corner), normal) >= 0.0;
+  }
+  return isConvex;
+}
+
 // Of a quadratic cell: between them are the points of its sides. No triangle lies along a side,
-// where the neighbor could have the same one.
+// where the neighbor could have the same one. A cell with a reflex corner stays whole.
 void SurfaceReader::CutCorners(int type)
 {
   const std::size_t size = this->Outline.size();
   const bool isQuadratic = type == VTK_QUADRATIC_TRIANGLE || type == VTK_BIQUADRATIC_TRIANGLE ||
     type == VTK_QUADRATIC_QUAD || type == VTK_BIQUADRATIC_QUAD || type == VTK_QUADRATIC_POLYGON;
-  if (isQuadratic && size >= 6 && size % 2 == 0)
+  if (isQuadratic && size >= 6 && size % 2 == 0 && this->IsConvex())
   {
     std::vector<vtkIdType> sides;
     for (std::size_t corner = 0; corner < size; corner += 2)

@@ -112,7 +112,7 @@ constexpr std::array<Wording, NumberOfProblemKinds + 1> Wordings = { {
   { "UnmatchedSides", "Sides that Periodic Translation does not map onto others", "cell", "",
     "Draw both sides alike, or correct the translation." },
   { "TooThin", "Walls too near to each other, or shapes too fine, for the spacing", "cell", "",
-    "Choose a smaller spacing there; of bodies that touch or lie on each other make one." },
+    "Choose a smaller spacing there; unite bodies that touch or lie on each other." },
   { "TooSharp", "Faces at too small an angle for the spacing", "cell", "",
     "Choose a smaller spacing there, or a larger Feature Angle." },
   { "LostFeatures", "Features that the mesh cuts off or leaves out", "point", "",

@@ -29,6 +29,10 @@ namespace biting
 namespace
 {
 
+// Ghosts of other pieces have values.
+constexpr int CellsWithoutValues =
+  vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+
 // A value as Uniform, SpacingScale and the bounds make it.
 double Clamped(double value, const SpacingOptions& options)
 {
@@ -55,7 +59,7 @@ public:
     : Data(data)
     , Options(options)
     , Values(std::move(values))
-    , Ghosts(data)
+    , Ghosts(data, CellsWithoutValues)
   {
     for (double& value : this->Values)
     {
@@ -360,7 +364,7 @@ private:
 bool IsPlainImage(vtkDataSet* data, const std::vector<double>& values)
 {
   return vtkImageData::SafeDownCast(data) && data->GetNumberOfPoints() > 0 &&
-    !HasGhosts(data, vtkDataObject::CELL, CellsNotHere) &&
+    !HasGhosts(data, vtkDataObject::CELL, CellsWithoutValues) &&
     std::none_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
 }
 

@@ -178,7 +178,7 @@ void BoxTree<Item, D>::Build(std::vector<Entry>& entries, Pulse& pulse)
     });
 }
 
-/// Of a subtree of so many items.
+/// The number of nodes of a subtree with this many items.
 template <typename Item, std::size_t D>
 std::size_t BoxTree<Item, D>::NodesOf(Id items)
 {

@@ -21,7 +21,7 @@ struct SurfaceBites
   std::vector<Point3> Centers;
   std::vector<double> Sizes;      ///< f; at features the length of the shortest piece there
   std::vector<double> Radii;      ///< of balls
-  std::vector<double> Guards;     ///< while biting: no later centre in the bite is nearer
+  std::vector<double> Guards;     ///< while biting: no later centre in a bite is nearer to its
   std::vector<Id> Triangles;      ///< of the ground, where the centre lies
   std::vector<Id> GroundVertices; ///< of corners; else NoId
   Id NumberOfCorners = 0;

@@ -292,6 +292,11 @@ void CapByTurns(SurfaceGround& ground, Id chain, double tolerance)
   }
   if (turns.size() > 2 && turns.front() == turns.back())
   {
+    if (IsStraight(ground, turns[turns.size() - 2], turns.front(), turns[1]))
+    {
+      turns.erase(turns.begin());
+      turns.back() = turns.front();
+    }
     turns.push_back(turns[1]);
   }
   for (std::size_t k = 1; k + 1 < turns.size(); ++k)
@@ -326,12 +331,12 @@ Point3 NormalAt(const SurfaceGround& ground, const IdLists::List& triangles)
 class TurnSearch
 {
 public:
-  TurnSearch(
-    const SurfaceMesh& mesh, SurfaceLinks links, const std::vector<Point3>& normals, double turn)
+  TurnSearch(const SurfaceMesh& mesh, const std::vector<Point3>& normals, double turn, Pulse& pulse)
     : Mesh(mesh)
-    , Links(std::move(links))
+    , Links(LinkSurface(mesh, pulse))
     , Normals(normals)
     , Turn(turn)
+    , Beats(pulse)
     , Seen(mesh.NumberOfTriangles(), NoId)
   {
   }
@@ -340,25 +345,29 @@ public:
   /// normal differs by more than Turn, to which a way leads over near triangles and over no
   /// feature; to infinity where that is `most` or more. Those with their middles in the ball of
   /// that radius: at an edge where faces turn the cap is the width of the faces, in however small
-  /// triangles. The place is the middle of t and, where that is a cap, more of them the fewer
-  /// triangles are near: balls have about as many places in triangles of any size.
+  /// triangles. The place is the middle of t and, where that is a cap, others within t: the more
+  /// of them, the fewer triangles are in the ball. So a ball has about as many places in coarse
+  /// triangles as in fine ones.
   void Raise(std::size_t t, double most, std::vector<double>& sizes)
   {
-    constexpr std::size_t PlacesInBall = 256;
-    const std::array<Point3, 3> corner = this->Mesh.Triangle(t);
+    constexpr std::size_t PlacesInBall = 2048;
+    std::array<Point3, 3> corner = this->Mesh.Triangle(t);
     const Point3 middle = this->Mesh.Middle(t);
+    std::sort(corner.begin(), corner.end(), // the farthest first, whatever their order is
+      [&middle](const Point3& a, const Point3& b)
+      { return Distance(a, middle) > Distance(b, middle); });
     const double least = this->Walk(t, middle, most, true);
     const bool isCap = least < most;
-    double extent = Distance(middle, corner[0]);
-    extent = std::max(extent, std::max(Distance(middle, corner[1]), Distance(middle, corner[2])));
-    extent = std::min(extent, 4.0 * least); // the balls of places farther away are others'
+    // Balls of places farther away belong to other triangles.
+    const double extent = std::min(Distance(middle, corner[0]), 4.0 * least);
     std::size_t places = 1;
     if (isCap && this->Front.size() <= PlacesInBall)
     {
-      this->Walk(t, middle, least + extent, false);
       places += PlacesInBall / this->Front.size();
+      // No ball about a place is larger than least + extent.
+      this->Walk(t, middle, least + 2.0 * extent, false);
     }
-    for (std::size_t k = 0; k < places; ++k)
+    for (std::size_t k = 0; k < places && this->Beats.Beat(this->Front.size()); ++k)
     {
       // The middle, then evenly spread: by multiples of 1 / g and 1 / g^2, where g^3 = g + 1.
       const double share = 4.0 / 9.0 + 0.7548776662466927 * static_cast<double>(k);
@@ -366,8 +375,10 @@ public:
       const double u = std::sqrt(share - std::floor(share)); // areas grow as its square
       const double v = u * (part - std::floor(part));
       const Point3 place = (1.0 - u) * corner[0] + (u - v) * corner[1] + v * corner[2];
-      const bool isNear = Distance(place, middle) <= extent;
-      const double size = k == 0 ? least : isNear ? this->FromTurned(place) : 0.0;
+      const double away = Distance(place, middle);
+      const double size = k == 0 ? least
+        : away <= extent         ? this->FromTurned(place, least + away)
+                                 : 0.0;
       for (const Id other : this->Front)
       {
         if (Distance(this->Mesh.Middle(At(other)), place) < size)
@@ -389,7 +400,7 @@ private:
     this->Seen[t] = ++this->Searches;
     this->Front.assign(1, static_cast<Id>(t));
     this->Turned.clear();
-    for (std::size_t next = 0; next < this->Front.size(); ++next) // it grows
+    for (std::size_t next = 0; next < this->Front.size() && this->Beats.Beat(1); ++next) // it grows
     {
       const auto from = static_cast<std::size_t>(this->Front[next]);
       for (std::size_t slot = 3 * from; slot < 3 * from + 3; ++slot)
@@ -414,9 +425,8 @@ private:
     return least;
   }
 
-  double FromTurned(const Point3& place) const
+  double FromTurned(const Point3& place, double least) const
   {
-    double least = Infinity;
     for (const Id t : this->Turned)
     {
       least = std::min(least, Distance(place, NearestPoint(this->Mesh.Triangle(At(t)), place)));
@@ -433,6 +443,7 @@ private:
   SurfaceLinks Links;
   const std::vector<Point3>& Normals;
   double Turn;
+  Pulse& Beats;
   std::vector<Id> Seen; ///< the search that saw it last
   Id Searches = 0;
   std::vector<Id> Front;
@@ -484,7 +495,11 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
     {
       continue;
     }
-    measure(ground.Mesh.Points[v], NormalAt(ground, around), around[0], { vertex });
+    const Point3 normal = NormalAt(ground, around);
+    if (Length(normal) > 0.5) // they do not cancel
+    {
+      measure(ground.Mesh.Points[v], normal, around[0], { vertex });
+    }
   }
   const auto isOnLine = [&ground](Id v) { return ground.Places[At(v)] != FeaturePlace::None; };
   // Strips without a vertex inside.
@@ -537,7 +552,7 @@ void CapByCurvature(SurfaceGround& ground, const SurfaceMesh& input, double tole
   // normals l apart differ by l / R. Edges are up to 1.22 f, and 1.22^2 * 4 = 6. Facets turn in
   // steps: the turn that is looked for is larger by 1 / Share, 25 degrees at a tolerance of .1.
   constexpr double Share = 0.89;
-  TurnSearch search(input, LinkSurface(input, pulse), ground.Normals, 4.0 / Share * tolerance);
+  TurnSearch search(input, ground.Normals, 4.0 / Share * tolerance, pulse);
   std::vector<double> sizes(input.NumberOfTriangles(), 0.0);
   pulse.ForEach(sizes.size(),
     [&ground, &input, &search, &sizes](std::size_t t)

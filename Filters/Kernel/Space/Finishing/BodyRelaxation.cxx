@@ -110,8 +110,8 @@ protected:
     return isSharp;
   }
 
-  /// Tries steps that make cells worse, and what can be made of that: at edges of the cells with
-  /// `common` corners of this one that no cell with more of them has.
+  /// Tries steps that make cells worse, and what can be made of that: at edges of the cells that
+  /// share `common` corners with this one, but for edges of cells that share more.
   bool TryAt(Id cell, std::ptrdiff_t common)
   {
     const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);

@@ -27,8 +27,8 @@ public:
   void Fix(Id vertex) { this->IsFixed[At(vertex)] = 1; }
   Id OtherEnd(Id piece, Id vertex) const;
 
-  /// Makes one piece of the two at a vertex: `gone`, whose other end gets the other piece. Undoes
-  /// that where it is called once more, the last first.
+  /// Makes one piece of the two at a vertex: `gone`, whose other end gets the other piece. A
+  /// second call undoes the first; several are undone in reverse order.
   void Join(Id vertex, Id gone);
 
   /// Pieces that are gone leave the body; vertices get new numbers.
