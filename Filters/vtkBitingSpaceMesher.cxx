@@ -188,13 +188,17 @@ bool vtkBitingSpaceMesher::Execution::Check()
       this->Problems.Add(group);
     }
   }
+  if (this->WasAborted())
+  {
+    return false;
+  }
   const std::vector<biting::Id>& cells = this->Surface.Mesh.Cells;
   this->Options.Regions = this->Surface.Shells.RegionOf;
   for (std::size_t t = 0; t < cells.size() && this->Regions.Array; ++t)
   {
     this->Options.Regions[t] = this->Regions.Numbers[cells[t]];
   }
-  return this->AcceptProblems(nullptr) && !this->WasAborted() &&
+  return this->AcceptProblems(nullptr) &&
     this->Accept(this->Surface.Mesh.NumberOfTriangles() == 0
         ? "All triangles are flat, or no larger than the rounding of their coordinates or Merge "
           "Tolerance."

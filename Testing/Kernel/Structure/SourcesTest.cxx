@@ -171,7 +171,7 @@ const std::map<std::string, Budget> Budgets = {
   { "Kernel/Space/Meshing", { 2150, 14 } },
   { "Kernel/Space/Quality", { 400, 2 } },
   { "Kernel/Space/Surface", { 3400, 20 } },
-  { "Kernel/Space/Union", { 1110, 5 } },
+  { "Kernel/Space/Union", { 1170, 5 } },
 };
 
 bool IsAllowed(const std::string& from, const std::string& to)

@@ -13,7 +13,7 @@ namespace biting
 /// small ones are cut out and closed as holes are (CutOutCrossings), told as SmallCrossings; else
 /// the surface becomes that of the union (UniteSurfaces), told as UnitedSurfaces. `found` has what
 /// the check found; its crossings and folds become one of these. Where neither leaves a closed
-/// surface without crossings all stays as it is.
+/// surface without crossings, or the union is not that of the given surface all stays as it is.
 void ResolveCrossings(CheckedSurface& surface, const SurfaceCheckOptions& options,
   ProblemList& found, Monitor& monitor);
 

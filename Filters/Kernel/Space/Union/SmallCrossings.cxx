@@ -50,6 +50,10 @@ public:
       this->IsCrossing[At(contact.First)] = 1;
       this->IsCrossing[At(contact.Second)] = 1;
       this->Sets.Unite(contact.First, contact.Second);
+      if (!this->Beats.Beat(16))
+      {
+        return {};
+      }
       for (const Point3& place : PlacesOfMeeting(this->Mesh, contact))
       {
         places.emplace_back(contact.First, place);

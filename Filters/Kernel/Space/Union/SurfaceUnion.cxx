@@ -226,7 +226,7 @@ private:
             planes.Unite(cut[k], item.Triangle);
             cut.push_back(item.Triangle);
           }
-          return true;
+          return this->Beats.Beat(1);
         });
     }
     for (const Id triangle : cut)
@@ -280,7 +280,7 @@ private:
       {
         const Id one = this->PlaneOf[At(contact.First)];
         const Id other = this->PlaneOf[At(contact.Second)];
-        if (one == other || this->HaveSide(contact))
+        if (one == other || this->HaveSide(contact) || !this->Beats.Beat(16))
         {
           continue;
         }
@@ -369,7 +369,9 @@ private:
           Orient2D(c, d, b) };
         if (sides[0] * sides[1] < 0 && sides[2] * sides[3] < 0)
         {
-          const double share = Cross(c - a, d - c) / Cross(b - a, d - c);
+          const double sine = Cross(b - a, d - c); // rounded: 0 of nearly parallel ones
+          const double share =
+            sine != 0.0 ? std::min(1.0, std::max(0.0, Cross(c - a, d - c) / sine)) : 0.5;
           const Point3& begin = this->Points[one.first];
           const Point3 place = begin + share * (this->Points[one.second] - begin);
           this->PointsIn[At(plane)].push_back(this->Points.Find(place));
@@ -514,7 +516,7 @@ private:
         queue.push_back(t);
       }
     }
-    for (std::size_t next = 0; next < queue.size(); ++next)
+    for (std::size_t next = 0; next < queue.size() && this->Beats.Beat(64); ++next)
     {
       const Id t = queue[next];
       for (Id edge = HalfEdgeMesh::FirstEdge(t); edge < HalfEdgeMesh::FirstEdge(t) + 3; ++edge)
