@@ -286,6 +286,7 @@ void RemoveFlatTriangles(
     return;
   }
   std::vector<Problem> told;
+  told.reserve(flat.size());
   for (const std::size_t t : flat)
   {
     told.push_back({ ProblemCode::FlatTriangles, { mesh.Cells[t] }, mesh.Middle(t), "" });
