@@ -558,9 +558,14 @@ TEST(BitingTetrahedralizer, BitesCubesAndStopsEarly)
 
 TEST(BitingTetrahedralizer, LeavesNothingWhenItIsAbortedAndWorksAgain)
 {
-  auto filter = Filled(Sphere(0.5, 30), 0.12);
+  auto sphere = Sphere(0.5, 30);
+  const std::vector<double> regions(static_cast<std::size_t>(sphere->GetNumberOfCells()), 1.0);
+  AddArray<vtkIntArray>(sphere->GetCellData(), "Region", regions);
+  auto filter = Filled(sphere, 0.12);
+  filter->SetRegionArray("Region");
+  filter->Update();
   const auto first = CopyOf(filter->GetOutput());
-  for (const double at : { 0.0, 0.05, 0.2, 0.5, 0.8 })
+  for (const double at : { 0.0, 0.005, 0.01, 0.02, 0.03, 0.05, 0.1, 0.2, 0.5, 0.8 })
   {
     vtkNew<vtkCallbackCommand> stop;
     double limit = at;

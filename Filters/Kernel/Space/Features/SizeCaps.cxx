@@ -491,12 +491,10 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
   {
     const auto vertex = static_cast<Id>(v);
     const IdLists::List around = ground.TrianglesAt[vertex];
-    if (around.Size() == 0 || isDone[At(around[0])] != 0 || ground.Places[v] != FeaturePlace::None)
-    {
-      continue;
-    }
-    const Point3 normal = NormalAt(ground, around);
-    if (Length(normal) > 0.5) // they do not cancel
+    const bool isToDo =
+      around.Size() > 0 && isDone[At(around[0])] == 0 && ground.Places[v] == FeaturePlace::None;
+    const Point3 normal = isToDo ? NormalAt(ground, around) : Point3{};
+    if (Length(normal) > 0.5) // 0 where those around cancel
     {
       measure(ground.Mesh.Points[v], normal, around[0], { vertex });
     }

@@ -68,7 +68,7 @@ std::vector<std::uint8_t> CrossingOnes(const CheckedSurface& surface)
 // be a cavity as well.
 bool IsUnion(const CheckedSurface& given, const SurfaceMesh& made, Pulse& pulse)
 {
-  const double away = 1e-6 * given.Figures.Diagonal;
+  const double away = 1e-6 * given.Figures.Diagonal; // ten times the tolerance of UniteSurfaces
   const std::vector<std::uint8_t> isCrossing = CrossingOnes(given);
   const BoxTree<SurfaceItem, 3> givenTree = MakeSurfaceTree(given.Mesh, pulse);
   const BoxTree<SurfaceItem, 3> madeTree = MakeSurfaceTree(made, pulse);

@@ -12,12 +12,12 @@
 // nesting, so that cavities stay. Triangles that meet others are divided along segments: exact
 // signs say which triangles meet which sides; a place where a side meets a triangle is the same for
 // both triangles at the side. Triangles that lie on each other are divided together, in one plane.
-// Points nearer to each other than the tolerance are one, and points that near to a segment divide
-// it in all planes that have it. The pieces are those of a constrained Delaunay triangulation in
-// each plane. Each piece is asked for itself, by a ray, what is on both its sides. So pieces that
-// do not fit leave open edges, which CheckSurface finds. What is inside
-// is not clear where a shell within another one, of which it would be a cavity, lies on a side of
-// that, and where the winding number is below 0: a lobe of a surface that is inside out.
+// New points nearer to a point than the tolerance are that one, and points that near to a segment
+// divide it in all planes that have it. The pieces are those of a constrained Delaunay
+// triangulation in each plane. Each piece is asked for itself, by a ray, what is on both its sides.
+// So pieces that do not fit leave open edges, which CheckSurface finds. What is inside is not clear
+// where a shell within another one, of which it would be a cavity, lies on a side of that, and
+// where the winding number is below 0: a lobe of a surface that is inside out.
 
 namespace biting
 {
