@@ -282,12 +282,15 @@ void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<Surfa
     }
     const Id own = static_cast<Id>(k);
     shell.Depth = DepthOf(mesh.At(farthest[k]), own, tree, mesh, shells, crossing, noise);
-    const std::size_t end = std::min(mesh.NumberOfTriangles(), first + MostTries);
-    for (std::size_t t = first; shell.Depth == NoId && t < end; ++t)
+    const std::size_t end =
+      std::min(mesh.NumberOfTriangles(), shell.Depth == NoId ? first + MostTries : 0);
+    for (std::size_t t = first; t < end; ++t)
     {
-      shell.Depth = shells.ShellOf[t] == own
+      const Id depth = shells.ShellOf[t] == own
         ? DepthOf(mesh.Middle(t), own, tree, mesh, shells, crossing, noise)
         : NoId;
+      const bool isLess = depth != NoId && (shell.Depth == NoId || depth < shell.Depth);
+      shell.Depth = isLess ? depth : shell.Depth; // of shells that overlap, flush: the least
     }
     shell.Depth = std::max(shell.Depth, Id{ 0 });
     isTurned[k] = (shell.Volume < 0.0) == (shell.Depth % 2 == 0) && shell.Volume != 0.0 ? 1 : 0;

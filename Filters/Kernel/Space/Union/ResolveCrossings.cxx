@@ -7,7 +7,7 @@
 #include "SurfaceUnion.h"
 #include "WindingNumber.h"
 
-#include <algorithm> // for max, min
+#include <algorithm> // for any_of
 #include <cstdint>   // for marks
 #include <utility>   // for move
 #include <vector>    // for marks
@@ -18,18 +18,17 @@ namespace biting
 namespace
 {
 
-bool IsCrossing(ProblemCode code)
-{
-  return code == ProblemCode::SelfCrossings || code == ProblemCode::Folds;
-}
-
-// What was told before, and crossings as `told`; of what is found again what is new.
+// What was told before, crossings, or touches if there are none, as `told`; and what is new.
 ProblemList Together(const ProblemList& before, const ProblemList& again, ProblemCode told)
 {
   ProblemList all;
+  const bool isCrossing = before.Has(ProblemCode::SelfCrossings) || before.Has(ProblemCode::Folds);
   for (ProblemGroup group : before.Groups())
   {
-    group.Code = IsCrossing(group.Code) ? told : group.Code;
+    const bool isMeant = isCrossing
+      ? group.Code == ProblemCode::SelfCrossings || group.Code == ProblemCode::Folds
+      : group.Code == ProblemCode::SurfaceTouches;
+    group.Code = isMeant ? told : group.Code;
     for (Problem& problem : group.First)
     {
       problem.Code = group.Code;
@@ -46,21 +45,17 @@ ProblemList Together(const ProblemList& before, const ProblemList& again, Proble
   return all;
 }
 
-// Of triangles: whether their shell crosses another one, or itself.
+// Of shells: whether they cross another one, or themselves, or touch one where none crosses.
 std::vector<std::uint8_t> CrossingOnes(const CheckedSurface& surface)
 {
   std::vector<std::uint8_t> isCrossing(surface.Shells.Shells.size(), 0);
-  for (const SurfaceContact& contact : surface.Crossings)
+  for (const SurfaceContact& contact :
+    surface.Crossings.empty() ? surface.Touches : surface.Crossings)
   {
     isCrossing[At(surface.Shells.ShellOf[At(contact.First)])] = 1;
     isCrossing[At(surface.Shells.ShellOf[At(contact.Second)])] = 1;
   }
-  std::vector<std::uint8_t> marks;
-  for (const Id shell : surface.Shells.ShellOf)
-  {
-    marks.push_back(isCrossing[At(shell)]);
-  }
-  return marks;
+  return isCrossing;
 }
 
 // Whether both have the same inside, on both sides of all their triangles that are wider than what
@@ -80,23 +75,30 @@ bool IsUnion(const CheckedSurface& given, const SurfaceMesh& made, Pulse& pulse)
   {
     for (std::size_t t = 0; t < mesh->NumberOfTriangles() && isUnion && pulse.Beat(64); ++t)
     {
-      const auto [a, b, c] = mesh->Triangle(t);
-      const double side = std::max(Distance(a, b), std::max(Distance(b, c), Distance(c, a)));
       const Point3 normal = mesh->Normal(t);
       const double area = Length(normal);
-      const bool isWide = area > 4.0 * away * side;
+      const bool isWide = area > 2.0 * away * mesh->BoxOf(t).Diagonal();
       const std::size_t axis = LongestAxis(normal);
       for (std::size_t k = 0; k < 2 && isWide; ++k)
       {
         const Point3 place = mesh->Middle(t) + ((k == 0 ? away : -away) / area) * normal;
         const int winding = givenWinding.At(place, axis, skipNone);
-        const bool isDeep = mesh == &given.Mesh && isCrossing[t] == 0 && winding > 1;
+        const bool isDeep =
+          mesh == &given.Mesh && winding > 1 && isCrossing[At(given.Shells.ShellOf[t])] == 0;
         isUnion =
           isUnion && !isDeep && (winding > 0) == (madeWinding.At(place, axis, skipNone) > 0);
       }
     }
   }
   return isUnion;
+}
+
+bool DoShellsTouch(const CheckedSurface& surface)
+{
+  const std::vector<Id>& shellOf = surface.Shells.ShellOf;
+  return std::any_of(surface.Touches.begin(), surface.Touches.end(),
+    [&shellOf](const SurfaceContact& contact)
+    { return shellOf[At(contact.First)] != shellOf[At(contact.Second)]; });
 }
 
 } // namespace
@@ -109,9 +111,9 @@ void ResolveCrossings(
   PulseMonitor within(pulse); // its stages are none of the monitor
   for (const bool isSmall : { true, false })
   {
-    if (surface.Crossings.empty() || !pulse.Ask())
+    if ((surface.Crossings.empty() && (isSmall || !DoShellsTouch(surface))) || !pulse.Ask())
     {
-      return;
+      continue;
     }
     SurfaceMesh mesh = isSmall ? CutOutCrossings(surface, options.Spacing, pulse)
                                : UniteSurfaces(surface, options.Noise, pulse);
