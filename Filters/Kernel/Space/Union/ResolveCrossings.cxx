@@ -7,7 +7,7 @@
 #include "SurfaceUnion.h"
 #include "WindingNumber.h"
 
-#include <algorithm> // for any_of
+#include <algorithm> // for any_of, max
 #include <cstdint>   // for marks
 #include <utility>   // for move
 #include <vector>    // for marks
@@ -61,9 +61,9 @@ std::vector<std::uint8_t> CrossingOnes(const CheckedSurface& surface)
 // Whether both have the same inside, on both sides of all their triangles that are wider than what
 // vertices may have moved; and no shell that crosses nothing is within others that cross: it could
 // be a cavity as well.
-bool IsUnion(const CheckedSurface& given, const SurfaceMesh& made, Pulse& pulse)
+bool IsUnion(const CheckedSurface& given, const SurfaceMesh& made, double noise, Pulse& pulse)
 {
-  const double away = 1e-6 * given.Figures.Diagonal; // ten times the tolerance of UniteSurfaces
+  const double away = std::max(40.0 * noise, 1e-6 * given.Figures.Diagonal); // ten tolerances
   const std::vector<std::uint8_t> isCrossing = CrossingOnes(given);
   const BoxTree<SurfaceItem, 3> givenTree = MakeSurfaceTree(given.Mesh, pulse);
   const BoxTree<SurfaceItem, 3> madeTree = MakeSurfaceTree(made, pulse);
@@ -75,16 +75,19 @@ bool IsUnion(const CheckedSurface& given, const SurfaceMesh& made, Pulse& pulse)
   {
     for (std::size_t t = 0; t < mesh->NumberOfTriangles() && isUnion && pulse.Beat(64); ++t)
     {
+      const auto [a, b, c] = mesh->Triangle(t);
+      // Middles may be on other triangles, where these are on a lattice.
+      const Point3 inner = 0.2847 * a + 0.3376 * b + 0.3777 * c;
       const Point3 normal = mesh->Normal(t);
       const double area = Length(normal);
       const bool isWide = area > 2.0 * away * mesh->BoxOf(t).Diagonal();
       const std::size_t axis = LongestAxis(normal);
       for (std::size_t k = 0; k < 2 && isWide; ++k)
       {
-        const Point3 place = mesh->Middle(t) + ((k == 0 ? away : -away) / area) * normal;
+        const Point3 place = inner + ((k == 0 ? away : -away) / area) * normal;
         const int winding = givenWinding.At(place, axis, skipNone);
-        const bool isDeep =
-          mesh == &given.Mesh && winding > 1 && isCrossing[At(given.Shells.ShellOf[t])] == 0;
+        const bool isDeep = k == 1 && mesh == &given.Mesh && winding > 1 &&
+          isCrossing[At(given.Shells.ShellOf[t])] == 0;
         isUnion =
           isUnion && !isDeep && (winding > 0) == (madeWinding.At(place, axis, skipNone) > 0);
       }
@@ -117,14 +120,11 @@ void ResolveCrossings(
     }
     SurfaceMesh mesh = isSmall ? CutOutCrossings(surface, options.Spacing, pulse)
                                : UniteSurfaces(surface, options.Noise, pulse);
-    if (mesh.NumberOfTriangles() == 0)
-    {
-      continue;
-    }
     ProblemList again;
     CheckedSurface resolved = CheckSurface(std::move(mesh), options, again, within);
-    if (resolved.Crossings.empty() && resolved.Figures.OpenEdges == 0 &&
-      !again.Has(ProblemCode::NotOrientable) && (isSmall || IsUnion(surface, resolved.Mesh, pulse)))
+    if (resolved.Mesh.NumberOfTriangles() > 0 && resolved.Crossings.empty() &&
+      resolved.Figures.OpenEdges == 0 && !again.Has(ProblemCode::NotOrientable) &&
+      (isSmall || IsUnion(surface, resolved.Mesh, options.Noise, pulse)))
     {
       surface = std::move(resolved);
       found =

@@ -384,4 +384,29 @@ TEST(ResolveCrossings, UnitesBodiesThatTouchLieInEachOtherFlushOrShareAnEdge)
   EXPECT_EQ(Resolved(hollow, 0.1).Count(ProblemCode::UnitedSurfaces), 0);
 }
 
+// There middles of triangles are on other triangles, and bodies touch others where these cross.
+TEST(ResolveCrossings, UnitesNearlyAllBoxesOfALattice)
+{
+  Dice dice(8);
+  int given = 0;
+  int united = 0;
+  for (int trial = 0; trial < 80; ++trial)
+  {
+    const Blocks blocks = MakeBlocks(dice, 3 + trial % 2);
+    const Soup surface = Oblique(blocks.Surface);
+    if (!blocks.IsNested && Judge(surface, Noise).Count(ProblemCode::SelfCrossings) > 0)
+    {
+      ++given;
+      const Verdict verdict = Resolved(surface, 0.1);
+      if (verdict.Count(ProblemCode::UnitedSurfaces) > 0)
+      {
+        ++united;
+        EXPECT_NEAR(verdict.Figures().Volume, blocks.Volume, 1e-4) << trial;
+      }
+    }
+  }
+  EXPECT_GT(given, 30);
+  EXPECT_GE(united, 0.9 * given) << given;
+}
+
 } // namespace biting
