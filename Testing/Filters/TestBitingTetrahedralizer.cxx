@@ -439,7 +439,7 @@ TEST(BitingTetrahedralizer, FillsTheUnionOfBodiesThatCrossWithAWarningAndTheirPl
   filter->Update();
   EXPECT_TRUE(messages.Errors.empty());
   ASSERT_EQ(messages.Warnings.size(), 1u);
-  EXPECT_TRUE(Has(messages.Warnings.front(), "Crossings of closed surfaces"));
+  EXPECT_TRUE(Has(messages.Warnings.front(), "Closed surfaces that cross or touch"));
   EXPECT_NEAR(Figure(filter->GetOutput(), "Volume"), 16.0 - 1.0 * 1.5 * 1.75, 1e-3);
   EXPECT_EQ(Figure(filter->GetOutput(), "EulerNumber"), 2.0);
   for (const SeenProblem& problem : ReadProblems(filter->GetProblems()))

@@ -121,7 +121,7 @@ constexpr std::array<Wording, NumberOfProblemKinds + 1> Wordings = { {
     "They were closed: they are narrower than a third of the spacing there." },
   { "SmallCrossings", "Small crossings and folds of the surface", "cell", "cell",
     "They were cut out and closed: they are smaller than a third of the spacing there." },
-  { "UnitedSurfaces", "Crossings of closed surfaces", "cell", "cell",
+  { "UnitedSurfaces", "Closed surfaces that cross or touch", "cell", "cell",
     "The mesh is that of their union." },
   { "Aborted", "Aborted", "", "", "" },
 } };

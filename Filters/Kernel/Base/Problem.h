@@ -81,7 +81,7 @@ enum class ProblemCode
   LostFeatures,   ///< lines or sharp edges that the mesh cuts off or leaves out (ids: point)
   ClosedHoles,    ///< loops of open edges that are narrow for f: closed (ids: point)
   SmallCrossings, ///< triangles that cross or fold, too small for f to be seen (ids: cell, cell)
-  UnitedSurfaces, ///< surfaces that cross: the mesh is that of their union (ids: cell, cell)
+  UnitedSurfaces, ///< surfaces that cross or touch: the mesh is of their union (ids: cell, cell)
   Aborted         ///< the monitor asked to stop; not an error
 };
 

@@ -209,7 +209,7 @@ private:
       [this, &place, &met](const SurfaceItem& item)
       {
         const std::array<Point3, 3> triangle = this->Mesh.Triangle(At(item.Triangle));
-        if (MeetRay(triangle, place) == RayMeeting::Yes)
+        if (MeetRay(triangle, place))
         {
           const Point3 normal = this->Mesh.Normal(At(item.Triangle));
           const Point3 way = triangle[0] - place;

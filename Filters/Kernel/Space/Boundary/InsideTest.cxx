@@ -20,7 +20,7 @@ Id InsideTest::LabelAt(const Point3& place) const
     [this, &place, &label](const SurfaceItem& item)
     {
       const TriangleSides& sides = this->Sides[At(item.Triangle)];
-      const bool isMet = MeetRay(this->Mesh.Triangle(At(item.Triangle)), place) == RayMeeting::Yes;
+      const bool isMet = MeetRay(this->Mesh.Triangle(At(item.Triangle)), place);
       label ^= isMet ? sides[0] ^ sides[1] : 0;
       return true;
     });

@@ -98,13 +98,8 @@ BoxTree<SurfaceItem, 3> MakeSurfaceTree(const SurfaceMesh& mesh, Pulse& pulse)
 {
   std::vector<SurfaceItem> items(mesh.NumberOfTriangles());
   ForEachAtOnce(pulse, items.size(),
-    [&mesh, &items](std::size_t t)
-    {
-      items[t].Triangle = static_cast<Id>(t);
-      for (const Point3& corner : mesh.Triangle(t))
-      {
-        items[t].Bounds.Add(corner);
-      }
+    [&mesh, &items](std::size_t t) {
+      items[t] = { mesh.BoxOf(t), static_cast<Id>(t) };
     });
   return BoxTree<SurfaceItem, 3>(std::move(items), pulse);
 }

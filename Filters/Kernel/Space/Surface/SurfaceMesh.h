@@ -79,6 +79,9 @@ struct SurfaceMesh
     return (1.0 / 3.0) * (this->At(3 * t) + this->At(3 * t + 1) + this->At(3 * t + 2));
   }
 
+  /// Of triangle t.
+  Box3 BoxOf(std::size_t t) const { return Box3::Around(this->Triangle(t)); }
+
   /// Of the triangles.
   Box3 Bounds() const
   {

@@ -5,6 +5,7 @@
 
 #include "../../Base/DisjointSets.h"
 #include "../../Base/Numbers.h"
+#include "NearestOnTriangle.h"
 #include "TriangleContact.h" // for MeetRay
 
 #include <algorithm> // for count_if, find, max, min, sort, upper_bound
@@ -171,15 +172,17 @@ void FindParts(const SurfaceMesh& mesh, SurfaceShells& shells)
 // Pairs of shells, in both orders.
 using ShellPairs = std::set<std::pair<Id, Id>>;
 
-// How many closed shells that do not cross its own are around the point; NoId where one touches it.
+// How many closed shells that do not cross its own are around the point; NoId where one is nearer
+// than the noise.
 Id DepthOf(const Point3& p, Id own, const BoxTree<SurfaceItem, 3>& tree, const SurfaceMesh& mesh,
-  const SurfaceShells& shells, const ShellPairs& crossing)
+  const SurfaceShells& shells, const ShellPairs& crossing, double noise)
 {
   std::vector<Id> met;
   Box3 ray = Box3::Around(p, p);
+  ray.Grow(noise);
   ray.High.X = Infinity;
   const bool isClear = tree.AllOf(ray,
-    [&p, own, &mesh, &shells, &crossing, &met](const SurfaceItem& item)
+    [&p, own, &mesh, &shells, &crossing, noise, &met](const SurfaceItem& item)
     {
       const auto t = static_cast<std::size_t>(item.Triangle);
       const Id shell = shells.ShellOf[t];
@@ -187,12 +190,11 @@ Id DepthOf(const Point3& p, Id own, const BoxTree<SurfaceItem, 3>& tree, const S
       {
         return true;
       }
-      const RayMeeting meeting = MeetRay(mesh.Triangle(t), p);
-      if (meeting == RayMeeting::Yes)
+      if (MeetRay(mesh.Triangle(t), p))
       {
         met.push_back(shell);
       }
-      return meeting != RayMeeting::Touches;
+      return Distance(p, NearestPoint(mesh.Triangle(t), p)) > noise;
     });
   std::sort(met.begin(), met.end());
   Id depth = 0;
@@ -258,7 +260,7 @@ SurfaceShells FindShells(
 }
 
 void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<SurfaceItem, 3>& tree,
-  const std::vector<SurfaceContact>& crossings, SurfaceShells& shells, Pulse& pulse)
+  const std::vector<SurfaceContact>& crossings, double noise, SurfaceShells& shells, Pulse& pulse)
 {
   ShellPairs crossing;
   for (const SurfaceContact& contact : crossings)
@@ -267,7 +269,7 @@ void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<Surfa
     const Id other = shells.ShellOf[At(contact.Second)];
     crossing.insert({ { one, other }, { other, one } });
   }
-  constexpr std::size_t MostTries = 300; // corners, where shells touch in many vertices
+  constexpr std::size_t MostTries = 300; // triangles, where shells touch in many places
   const std::vector<std::size_t> farthest = FarthestSlots(mesh, shells);
   std::vector<std::uint8_t> isTurned(shells.Shells.size(), 0);
   for (std::size_t k = 0; k < shells.Shells.size() && pulse.Beat(); ++k)
@@ -279,13 +281,16 @@ void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<Surfa
       continue;
     }
     const Id own = static_cast<Id>(k);
-    shell.Depth = DepthOf(mesh.At(farthest[k]), own, tree, mesh, shells, crossing);
-    const std::size_t end = std::min(mesh.Corners.size(), 3 * first + MostTries);
-    for (std::size_t slot = 3 * first; shell.Depth == NoId && slot < end; ++slot)
+    shell.Depth = DepthOf(mesh.At(farthest[k]), own, tree, mesh, shells, crossing, noise);
+    const std::size_t end =
+      std::min(mesh.NumberOfTriangles(), shell.Depth == NoId ? first + MostTries : 0);
+    for (std::size_t t = first; t < end; ++t)
     {
-      shell.Depth = shells.ShellOf[slot / 3] == own
-        ? DepthOf(mesh.At(slot), own, tree, mesh, shells, crossing)
+      const Id depth = shells.ShellOf[t] == own
+        ? DepthOf(mesh.Middle(t), own, tree, mesh, shells, crossing, noise)
         : NoId;
+      const bool isLess = depth != NoId && (shell.Depth == NoId || depth < shell.Depth);
+      shell.Depth = isLess ? depth : shell.Depth; // of shells that overlap, flush: the least
     }
     shell.Depth = std::max(shell.Depth, Id{ 0 });
     isTurned[k] = (shell.Volume < 0.0) == (shell.Depth % 2 == 0) && shell.Volume != 0.0 ? 1 : 0;

@@ -50,9 +50,10 @@ SurfaceShells FindShells(
 
 /// Orients closed shells by nesting: outwards where an even number of others is around them, else
 /// inwards; links follow. Shells that cross are not around each other. Decided by exact signs along
-/// a ray from a vertex that no other shell touches, if there is one. `tree` has all triangles.
+/// a ray from a vertex, or the middle of a triangle, that is farther than the noise from other
+/// shells, if there is one. `tree` has all triangles.
 void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<SurfaceItem, 3>& tree,
-  const std::vector<SurfaceContact>& crossings, SurfaceShells& shells, Pulse& pulse);
+  const std::vector<SurfaceContact>& crossings, double noise, SurfaceShells& shells, Pulse& pulse);
 
 } // namespace biting
 

@@ -154,7 +154,7 @@ int HeightOver(const Triangle3& triangle, const Point3& p)
   return Orient3D(triangle[0], triangle[1], triangle[2], p);
 }
 
-RayMeeting MeetRay(const Triangle3& triangle, const Point3& p)
+bool MeetRay(const Triangle3& triangle, const Point3& p)
 {
   const Point2 a = Shadow(triangle[0], 0);
   const Point2 b = Shadow(triangle[1], 0);
@@ -162,12 +162,11 @@ RayMeeting MeetRay(const Triangle3& triangle, const Point3& p)
   const int side = MovedSide(a, b, Shadow(p, 0));
   if (side == 0 || MovedSide(b, c, Shadow(p, 0)) != side || MovedSide(c, a, Shadow(p, 0)) != side)
   {
-    return RayMeeting::No;
+    return false;
   }
   // The shadow is counterclockwise (side > 0) if the normal has a positive x: then p is before the
   // triangle where it is behind its back.
-  const int height = HeightOver(triangle, p);
-  return height == 0 ? RayMeeting::Touches : height * side < 0 ? RayMeeting::Yes : RayMeeting::No;
+  return HeightOver(triangle, p) * side < 0;
 }
 
 bool Meets(const Triangle3& triangle, const Point3& p, const Point3& q, Point3& place)

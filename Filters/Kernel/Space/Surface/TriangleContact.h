@@ -17,16 +17,9 @@ using Triangle3 = std::array<Point3, 3>;
 /// on it.
 int HeightOver(const Triangle3& triangle, const Point3& p);
 
-enum class RayMeeting
-{
-  No,
-  Yes,
-  Touches ///< where the ray begins
-};
-
-/// Whether the ray from p along the first axis meets the triangle. Exact, and no ray meets an edge:
-/// p counts as moved by (e, e^2) along the other axes, e being infinitesimal.
-RayMeeting MeetRay(const Triangle3& triangle, const Point3& p);
+/// Whether the ray from p along the first axis meets the triangle, which is not on p. Exact, and no
+/// ray meets an edge: p counts as moved by (e, e^2) along the other axes, e being infinitesimal.
+bool MeetRay(const Triangle3& triangle, const Point3& p);
 
 /// Whether the closed segment pq and the closed triangle have a common point, decided exactly. The
 /// triangle is not flat, and p is not q. `place` then is one, rounded.

@@ -7,7 +7,7 @@
 #include "SurfaceUnion.h"
 #include "WindingNumber.h"
 
-#include <algorithm> // for max, min
+#include <algorithm> // for any_of, max
 #include <cstdint>   // for marks
 #include <utility>   // for move
 #include <vector>    // for marks
@@ -18,18 +18,17 @@ namespace biting
 namespace
 {
 
-bool IsCrossing(ProblemCode code)
-{
-  return code == ProblemCode::SelfCrossings || code == ProblemCode::Folds;
-}
-
-// What was told before, and crossings as `told`; of what is found again what is new.
+// What was told before, crossings, or touches if there are none, as `told`; and what is new.
 ProblemList Together(const ProblemList& before, const ProblemList& again, ProblemCode told)
 {
   ProblemList all;
+  const bool isCrossing = before.Has(ProblemCode::SelfCrossings) || before.Has(ProblemCode::Folds);
   for (ProblemGroup group : before.Groups())
   {
-    group.Code = IsCrossing(group.Code) ? told : group.Code;
+    const bool isMeant = isCrossing
+      ? group.Code == ProblemCode::SelfCrossings || group.Code == ProblemCode::Folds
+      : group.Code == ProblemCode::SurfaceTouches;
+    group.Code = isMeant ? told : group.Code;
     for (Problem& problem : group.First)
     {
       problem.Code = group.Code;
@@ -46,29 +45,25 @@ ProblemList Together(const ProblemList& before, const ProblemList& again, Proble
   return all;
 }
 
-// Of triangles: whether their shell crosses another one, or itself.
+// Of shells: whether they cross another one, or themselves, or touch one where none crosses.
 std::vector<std::uint8_t> CrossingOnes(const CheckedSurface& surface)
 {
   std::vector<std::uint8_t> isCrossing(surface.Shells.Shells.size(), 0);
-  for (const SurfaceContact& contact : surface.Crossings)
+  for (const SurfaceContact& contact :
+    surface.Crossings.empty() ? surface.Touches : surface.Crossings)
   {
     isCrossing[At(surface.Shells.ShellOf[At(contact.First)])] = 1;
     isCrossing[At(surface.Shells.ShellOf[At(contact.Second)])] = 1;
   }
-  std::vector<std::uint8_t> marks;
-  for (const Id shell : surface.Shells.ShellOf)
-  {
-    marks.push_back(isCrossing[At(shell)]);
-  }
-  return marks;
+  return isCrossing;
 }
 
 // Whether both have the same inside, on both sides of all their triangles that are wider than what
 // vertices may have moved; and no shell that crosses nothing is within others that cross: it could
 // be a cavity as well.
-bool IsUnion(const CheckedSurface& given, const SurfaceMesh& made, Pulse& pulse)
+bool IsUnion(const CheckedSurface& given, const SurfaceMesh& made, double noise, Pulse& pulse)
 {
-  const double away = 1e-6 * given.Figures.Diagonal; // ten times the tolerance of UniteSurfaces
+  const double away = std::max(40.0 * noise, 1e-6 * given.Figures.Diagonal); // ten tolerances
   const std::vector<std::uint8_t> isCrossing = CrossingOnes(given);
   const BoxTree<SurfaceItem, 3> givenTree = MakeSurfaceTree(given.Mesh, pulse);
   const BoxTree<SurfaceItem, 3> madeTree = MakeSurfaceTree(made, pulse);
@@ -81,22 +76,32 @@ bool IsUnion(const CheckedSurface& given, const SurfaceMesh& made, Pulse& pulse)
     for (std::size_t t = 0; t < mesh->NumberOfTriangles() && isUnion && pulse.Beat(64); ++t)
     {
       const auto [a, b, c] = mesh->Triangle(t);
-      const double side = std::max(Distance(a, b), std::max(Distance(b, c), Distance(c, a)));
+      // Middles may be on other triangles, where these are on a lattice.
+      const Point3 inner = 0.2847 * a + 0.3376 * b + 0.3777 * c;
       const Point3 normal = mesh->Normal(t);
       const double area = Length(normal);
-      const bool isWide = area > 4.0 * away * side;
+      const bool isWide = area > 2.0 * away * mesh->BoxOf(t).Diagonal();
       const std::size_t axis = LongestAxis(normal);
       for (std::size_t k = 0; k < 2 && isWide; ++k)
       {
-        const Point3 place = mesh->Middle(t) + ((k == 0 ? away : -away) / area) * normal;
+        const Point3 place = inner + ((k == 0 ? away : -away) / area) * normal;
         const int winding = givenWinding.At(place, axis, skipNone);
-        const bool isDeep = mesh == &given.Mesh && isCrossing[t] == 0 && winding > 1;
+        const bool isDeep = k == 1 && mesh == &given.Mesh && winding > 1 &&
+          isCrossing[At(given.Shells.ShellOf[t])] == 0;
         isUnion =
           isUnion && !isDeep && (winding > 0) == (madeWinding.At(place, axis, skipNone) > 0);
       }
     }
   }
   return isUnion;
+}
+
+bool DoShellsTouch(const CheckedSurface& surface)
+{
+  const std::vector<Id>& shellOf = surface.Shells.ShellOf;
+  return std::any_of(surface.Touches.begin(), surface.Touches.end(),
+    [&shellOf](const SurfaceContact& contact)
+    { return shellOf[At(contact.First)] != shellOf[At(contact.Second)]; });
 }
 
 } // namespace
@@ -109,20 +114,17 @@ void ResolveCrossings(
   PulseMonitor within(pulse); // its stages are none of the monitor
   for (const bool isSmall : { true, false })
   {
-    if (surface.Crossings.empty() || !pulse.Ask())
-    {
-      return;
-    }
-    SurfaceMesh mesh = isSmall ? CutOutCrossings(surface, options.Spacing, pulse)
-                               : UniteSurfaces(surface, options.Noise, pulse);
-    if (mesh.NumberOfTriangles() == 0)
+    if ((surface.Crossings.empty() && (isSmall || !DoShellsTouch(surface))) || !pulse.Ask())
     {
       continue;
     }
+    SurfaceMesh mesh = isSmall ? CutOutCrossings(surface, options.Spacing, pulse)
+                               : UniteSurfaces(surface, options.Noise, pulse);
     ProblemList again;
     CheckedSurface resolved = CheckSurface(std::move(mesh), options, again, within);
-    if (resolved.Crossings.empty() && resolved.Figures.OpenEdges == 0 &&
-      !again.Has(ProblemCode::NotOrientable) && (isSmall || IsUnion(surface, resolved.Mesh, pulse)))
+    if (resolved.Mesh.NumberOfTriangles() > 0 && resolved.Crossings.empty() &&
+      resolved.Figures.OpenEdges == 0 && !again.Has(ProblemCode::NotOrientable) &&
+      (isSmall || IsUnion(surface, resolved.Mesh, options.Noise, pulse)))
     {
       surface = std::move(resolved);
       found =

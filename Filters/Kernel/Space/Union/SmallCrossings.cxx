@@ -15,16 +15,6 @@ namespace biting
 namespace
 {
 
-Box3 BoxOf(const SurfaceMesh& mesh, Id triangle)
-{
-  Box3 box;
-  for (const Point3& corner : mesh.Triangle(At(triangle)))
-  {
-    box.Add(corner);
-  }
-  return box;
-}
-
 // Boxes of what hangs together.
 class CrossingBoxes
 {
@@ -107,6 +97,25 @@ private:
 
 } // namespace
 
+bool IsBounding(const CheckedSurface& surface, const SurfaceLinks& links)
+{
+  const std::vector<SurfaceShell>& shells = surface.Shells.Shells;
+  bool isBounding = surface.Figures.OpenEdges == 0 &&
+    std::all_of(
+      shells.begin(), shells.end(), [](const SurfaceShell& shell) { return shell.IsOrientable; });
+  for (std::size_t edge = 0; edge < links.NumberOfCrowded(); ++edge)
+  {
+    Id turns = 0;
+    for (Id k = links.CrowdedOffsets[edge]; k < links.CrowdedOffsets[edge + 1]; ++k)
+    {
+      const std::size_t slot = At(links.CrowdedSlots[At(k)]);
+      turns += surface.Mesh.Corners[NextSlotOf(slot)] == EndsOf(surface.Mesh, slot).first ? 1 : -1;
+    }
+    isBounding = isBounding && turns == 0;
+  }
+  return isBounding;
+}
+
 std::vector<Point3> PlacesOfMeeting(const SurfaceMesh& mesh, const SurfaceContact& contact)
 {
   const std::array<std::size_t, 2> triangles{ At(contact.First), At(contact.Second) };
@@ -136,8 +145,8 @@ std::vector<Point3> PlacesOfMeeting(const SurfaceMesh& mesh, const SurfaceContac
   }
   if (shared > 2)
   {
-    const Box3 one = BoxOf(mesh, contact.First);
-    const Box3 other = BoxOf(mesh, contact.Second);
+    const Box3 one = mesh.BoxOf(triangles[0]);
+    const Box3 other = mesh.BoxOf(triangles[1]);
     places.assign(2, one.Low);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
@@ -151,10 +160,7 @@ std::vector<Point3> PlacesOfMeeting(const SurfaceMesh& mesh, const SurfaceContac
 SurfaceMesh CutOutCrossings(
   const CheckedSurface& surface, const SpacingField& spacing, Pulse& pulse)
 {
-  const std::vector<SurfaceShell>& shells = surface.Shells.Shells;
-  const bool areSolid = std::all_of(shells.begin(), shells.end(),
-    [](const SurfaceShell& shell) { return shell.IsClosed && shell.IsOrientable; });
-  if (!areSolid)
+  if (surface.Figures.NonManifoldEdges > 0 || !IsBounding(surface, SurfaceLinks()))
   {
     return {};
   }

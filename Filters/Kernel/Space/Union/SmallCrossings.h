@@ -21,6 +21,10 @@
 namespace biting
 {
 
+/// Whether triangles are oriented, and as many run along each edge as against it: then they have
+/// winding numbers. Of edges of two triangles orientable shells tell; `links` are of the others.
+bool IsBounding(const CheckedSurface& surface, const SurfaceLinks& links);
+
 /// Places of which one or two are the ends of what is common to two triangles that are not in one
 /// plane: their common vertex, and where sides of one meet the other. Sides of several triangles
 /// meet a triangle at the same place, bit for bit. Of folds corners of a box.

@@ -144,6 +144,10 @@ public:
 
   SurfaceMesh Run()
   {
+    if (!this->Mesh.Regions.empty() || !IsBounding(this->Surface, this->Links))
+    {
+      return {};
+    }
     this->FindPlanes();
     this->AddSides();
     this->AddMeetings();
@@ -158,10 +162,9 @@ public:
     this->KeepWhole();
     for (std::size_t plane = 0; plane < this->IsCut.size() && this->Beats.Beat(); ++plane)
     {
-      if (!this->SegmentsIn[plane].empty() && !this->DividePlane(static_cast<Id>(plane)))
-      {
-        return {};
-      }
+      const bool isDivided =
+        this->SegmentsIn[plane].empty() || this->DividePlane(static_cast<Id>(plane));
+      this->IsClear = this->IsClear && isDivided;
     }
     if (!this->IsClear)
     {
@@ -210,11 +213,7 @@ private:
         this->IsCut[At(cut[k])] = 1;
         continue;
       }
-      Box3 box;
-      for (const Point3& corner : this->Mesh.Triangle(At(cut[k])))
-      {
-        box.Add(corner);
-      }
+      Box3 box = this->Mesh.BoxOf(At(cut[k]));
       box.Grow(this->Tolerance);
       this->Tree.AllOf(box,
         [this, &cut, &planes, k](const SurfaceItem& item)
@@ -229,12 +228,15 @@ private:
           return this->Beats.Beat(1);
         });
     }
+    std::vector<Id> beside = this->Links.CrowdedSlots;
     for (const Id triangle : cut)
     {
-      for (std::size_t slot = 3 * At(triangle); slot < 3 * At(triangle) + 3; ++slot)
-      {
-        this->IsCut[At(this->Links.Across[slot] / 3)] = 1;
-      }
+      const auto across = this->Links.Across.begin() + 3 * triangle;
+      beside.insert(beside.end(), across, across + 3);
+    }
+    for (const Id slot : beside)
+    {
+      this->IsCut[At(std::max(slot, Id{ 0 }) / 3)] = 1; // one more at crowded edges does no harm
     }
     for (std::size_t t = 0; t < this->PlaneOf.size(); ++t)
     {
@@ -244,7 +246,6 @@ private:
 
   void AddSides()
   {
-    std::vector<std::uint8_t> isUsed(this->Mesh.Points.size(), 0);
     for (std::size_t slot = 0; slot < this->Mesh.Corners.size(); ++slot)
     {
       if (this->IsCut[slot / 3] != 0)
@@ -255,10 +256,7 @@ private:
         segment.Planes.push_back(this->PlaneOf[At(triangle)]);
         segment.Sided.push_back(triangle);
         this->PointsIn[At(this->PlaneOf[At(triangle)])].push_back(vertex);
-        if (isUsed[At(vertex)]++ == 0)
-        {
-          this->Points.Use(vertex);
-        }
+        this->Points.Use(vertex);
       }
     }
   }
@@ -619,11 +617,7 @@ private:
 SurfaceMesh UniteSurfaces(const CheckedSurface& surface, double noise, Pulse& pulse)
 {
   const double tolerance = std::max(4.0 * noise, 1e-7 * surface.Figures.Diagonal);
-  const std::vector<SurfaceShell>& shells = surface.Shells.Shells;
-  const bool areSolid = std::all_of(shells.begin(), shells.end(),
-    [](const SurfaceShell& shell) { return shell.IsClosed && shell.IsOrientable; });
-  return areSolid && surface.Mesh.Regions.empty() ? SurfaceUniter(surface, tolerance, pulse).Run()
-                                                  : SurfaceMesh();
+  return SurfaceUniter(surface, tolerance, pulse).Run();
 }
 
 } // namespace biting

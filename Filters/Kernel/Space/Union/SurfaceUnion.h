@@ -22,8 +22,8 @@
 namespace biting
 {
 
-/// Of surfaces whose shells are all closed and orientable, and of no regions; else, where it is not
-/// clear, and where segments could not be recovered, empty. Triangles have the cells of those that
+/// Of surfaces that bound something (IsBounding), of no regions; else, where it is not clear, and
+/// where segments could not be recovered, empty. Triangles have the cells of those that
 /// they are pieces of; new points have no id. The tolerance is 1e-7 of the diagonal, or 4 times the
 /// noise of coordinates. Cost O(n log n) but for k segments and points in one plane: O(k^2).
 SurfaceMesh UniteSurfaces(const CheckedSurface& surface, double noise, Pulse& pulse);

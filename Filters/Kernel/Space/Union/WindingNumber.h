@@ -49,7 +49,7 @@ public:
         {
           corner = Turned(corner, axis);
         }
-        if (MeetRay(turned, Turned(place, axis)) == RayMeeting::Yes && !isSkipped(t))
+        if (MeetRay(turned, Turned(place, axis)) && !isSkipped(t))
         {
           winding += this->Mesh.Normal(t)[axis] > 0.0 ? 1 : -1;
         }

@@ -109,6 +109,27 @@ TEST(SurfaceCheck, NestsShellsWhateverTheirOrientation)
   }
 }
 
+// A corner of one is on the face of another, and rays from there along the face are in that one.
+TEST(SurfaceCheck, OrientsBodiesThatTouchOutwardsInAllDirections)
+{
+  for (std::size_t shift = 0; shift < 3; ++shift)
+  {
+    const auto moved = [shift](const Point3& p) {
+      return Point3{ p[shift], p[(shift + 1) % 3], p[(shift + 2) % 3] };
+    };
+    Soup soup;
+    soup.AddBox(moved({ 2.0, 0.0, 1.0 }), moved({ 5.0, 1.0, 5.0 }));
+    soup.AddBox(moved({ 3.0, 1.0, 0.0 }), moved({ 7.0, 2.0, 2.0 }));
+    EXPECT_DOUBLE_EQ(Judge(soup).Figures().Volume, 12.0 + 8.0);
+    EXPECT_EQ(Judge(soup).Figures().Cavities, 0);
+    for (Point3& point : soup.Mesh.Points) // what rounding does to it is below the noise
+    {
+      point = { 0.6 * point.X - 0.8 * point.Y, 0.8 * point.X + 0.6 * point.Y, point.Z };
+    }
+    EXPECT_NEAR(Judge(soup).Figures().Volume, 12.0 + 8.0, 1e-12);
+  }
+}
+
 TEST(SurfaceCheck, TellsHolesAsLoopsWithLengthAndArea)
 {
   Soup soup;

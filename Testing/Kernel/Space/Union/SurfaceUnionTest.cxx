@@ -52,6 +52,17 @@ Verdict United(const Soup& soup)
   return Judge(united, Noise);
 }
 
+/// The surface without crossings and touches, as far as these were resolved.
+Verdict Resolved(const Soup& soup, double spacing)
+{
+  Verdict verdict = Judge(soup, Noise);
+  SurfaceCheckOptions options;
+  options.Noise = Noise;
+  options.Spacing = [spacing](const Point3&) { return spacing; };
+  ResolveCrossings(verdict.Surface, options, verdict.Problems, NoMonitor());
+  return verdict;
+}
+
 bool IsSound(const Verdict& verdict)
 {
   return verdict.Surface.Mesh.NumberOfTriangles() > 0 &&
@@ -328,16 +339,7 @@ TEST(SmallCrossings, AreSmallAsTheRegionIsThatTheyBoundNotAsTheirCurve)
 
 TEST(ResolveCrossings, ClosesWhatItCutsOutAndUnitesWhatIsLarge)
 {
-  const auto resolved = [](const Soup& soup, double spacing)
-  {
-    Verdict verdict = Judge(soup, Noise);
-    SurfaceCheckOptions options;
-    options.Noise = Noise;
-    options.Spacing = [spacing](const Point3&) { return spacing; };
-    ResolveCrossings(verdict.Surface, options, verdict.Problems, NoMonitor());
-    return verdict;
-  };
-  const Verdict small = resolved(Peak(), 1.5);
+  const Verdict small = Resolved(Peak(), 1.5);
   EXPECT_TRUE(IsSound(small));
   EXPECT_GT(small.Count(ProblemCode::SmallCrossings), 0);
   EXPECT_EQ(small.Figures().EulerNumber, 2);
@@ -345,13 +347,66 @@ TEST(ResolveCrossings, ClosesWhatItCutsOutAndUnitesWhatIsLarge)
   Soup boxes;
   boxes.AddBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 });
   boxes.AddBox({ 0.5, 0.5, 0.5 }, { 1.5, 1.5, 1.5 });
-  const Verdict united = resolved(boxes, 0.1);
+  const Verdict united = Resolved(boxes, 0.1);
   EXPECT_TRUE(IsSound(united));
   EXPECT_GT(united.Count(ProblemCode::UnitedSurfaces), 0);
   EXPECT_NEAR(united.Figures().Volume, 1.875, 1e-6);
   boxes.Remove(0);
-  const Verdict open = resolved(boxes, 0.1);
+  const Verdict open = Resolved(boxes, 0.1);
   EXPECT_GT(open.Count(ProblemCode::SelfCrossings), 0);
+}
+
+TEST(ResolveCrossings, UnitesBodiesThatTouchLieInEachOtherFlushOrShareAnEdge)
+{
+  const Ends cube{ 0, 0, 0, 4, 4, 4 };
+  const auto volume = [&cube](const std::vector<Ends>& others)
+  {
+    Soup soup;
+    const auto add = [&soup](const Ends& ends)
+    {
+      soup.AddBox({ 0.25 * ends[0][0], 0.25 * ends[0][1], 0.25 * ends[0][2] },
+        { 0.25 * ends[1][0], 0.25 * ends[1][1], 0.25 * ends[1][2] });
+    };
+    add(cube);
+    std::for_each(others.begin(), others.end(), add);
+    const Verdict verdict = Resolved(soup, 0.1);
+    EXPECT_TRUE(IsSound(verdict));
+    EXPECT_GT(verdict.Count(ProblemCode::UnitedSurfaces), 0);
+    return verdict.Figures().Volume;
+  };
+  EXPECT_NEAR(volume({ { 4, 2, 0, 8, 6, 4 } }), 2.0, 1e-6); // half a side
+  EXPECT_NEAR(volume({ { 2, 0, 0, 6, 4, 4 } }), 1.5, 1e-6); // four sides of both
+  EXPECT_NEAR(volume({ { 4, 4, 1, 6, 8, 5 } }), 1.5, 1e-6); // a part of an edge
+  EXPECT_NEAR(volume({ { 4, 4, 0, 8, 8, 4 }, { 2, 2, 1, 6, 6, 3 } }), 2.25, 1e-6); // an edge
+  Soup hollow; // a cavity without a wall, or a body
+  hollow.AddBox({ 0.0, 0.0, 0.0 }, { 4.0, 4.0, 4.0 });
+  hollow.AddBox({ 1.0, 1.0, 0.0 }, { 3.0, 3.0, 2.0 });
+  EXPECT_EQ(Resolved(hollow, 0.1).Count(ProblemCode::UnitedSurfaces), 0);
+}
+
+// There middles of triangles are on other triangles, and bodies touch others where these cross.
+TEST(ResolveCrossings, UnitesNearlyAllBoxesOfALattice)
+{
+  Dice dice(8);
+  int given = 0;
+  int united = 0;
+  for (int trial = 0; trial < 80; ++trial)
+  {
+    const Blocks blocks = MakeBlocks(dice, 3 + trial % 2);
+    const Soup surface = Oblique(blocks.Surface);
+    if (!blocks.IsNested && Judge(surface, Noise).Count(ProblemCode::SelfCrossings) > 0)
+    {
+      ++given;
+      const Verdict verdict = Resolved(surface, 0.1);
+      if (verdict.Count(ProblemCode::UnitedSurfaces) > 0)
+      {
+        ++united;
+        EXPECT_NEAR(verdict.Figures().Volume, blocks.Volume, 1e-4) << trial;
+      }
+    }
+  }
+  EXPECT_GT(given, 30);
+  EXPECT_GE(united, 0.9 * given) << given;
 }
 
 } // namespace biting
