@@ -8,7 +8,6 @@
 #include <algorithm> // for find, max, min, none_of
 #include <array>     // for corners
 #include <cmath>     // for sqrt
-#include <cstdint>   // for marks
 #include <deque>     // for queues
 #include <utility>   // for move
 
@@ -94,10 +93,14 @@ public:
       }
     }
     this->Bites.Guards.clear();
+    this->Entries.clear();
     return this->Bites; // a copy, without the room of growing arrays
   }
 
 private:
+  /// The head of a triangle that is in the guard of a bite: it has no list, and all is taken.
+  static constexpr Id Closed = -2;
+
   struct Entry
   {
     Id Bite; ///< ~Bite where its ball has all of the triangle: its sphere meets none there
@@ -130,14 +133,12 @@ private:
   /// Whether the guard of a bite that reaches the triangle has the place.
   bool IsTaken(Id triangle, const Point3& place) const
   {
-    for (Id entry = this->Heads[At(triangle)]; entry != NoId; entry = this->Entries[At(entry)].Next)
+    Id entry = this->Heads[At(triangle)];
+    while (entry >= 0 && !this->IsGuarded(this->Entries[At(entry)].Number(), place))
     {
-      if (this->IsGuarded(this->Entries[At(entry)].Number(), place))
-      {
-        return true;
-      }
+      entry = this->Entries[At(entry)].Next;
     }
-    return false;
+    return entry != NoId;
   }
 
   bool IsGuarded(Id bite, const Point3& place) const
@@ -210,10 +211,9 @@ private:
     {
       this->Seen[At(triangle)] = bite;
     }
+    const double guard2 = this->Bites.Guards[At(bite)] * this->Bites.Guards[At(bite)];
     this->NumberOfMeetings = 0;
-    // Candidates first: the new bite is in no list yet.
     std::size_t next = 0;
-    this->IsWithin.clear();
     while (next < this->Front.size()) // GoAcross adds some
     {
       const Id triangle = this->Front[next++];
@@ -226,10 +226,20 @@ private:
       // By more than candidates may be beside the triangle.
       constexpr double Most = 1.0 - 1e-6;
       const double farthest = std::max(away[0], std::max(away[1], away[2]));
-      this->IsWithin.push_back(farthest < Most * radius2 ? 1 : 0);
-      if (this->IsWithin.back() == 0)
+      const bool isWithin = farthest < Most * radius2;
+      Id& head = this->Heads[At(triangle)];
+      if (!isWithin)
       {
         this->Meet(bite, triangle);
+      }
+      if (farthest < Most * guard2)
+      {
+        head = Closed;
+      }
+      else if (head != Closed)
+      {
+        this->Entries.push_back({ isWithin ? ~bite : bite, head });
+        head = static_cast<Id>(this->Entries.size()) - 1;
       }
       for (std::size_t k = 0; k < 3; ++k)
       {
@@ -243,12 +253,6 @@ private:
           this->GoAcross(bite, slot);
         }
       }
-    }
-    for (std::size_t k = 0; k < this->Front.size(); ++k)
-    {
-      Id& head = this->Heads[At(this->Front[k])];
-      this->Entries.push_back({ this->IsWithin[k] != 0 ? ~bite : bite, head });
-      head = static_cast<Id>(this->Entries.size()) - 1;
     }
     Candidate way{ {}, NoId };
     for (std::size_t k = 0; this->NumberOfMeetings == 0 && k < this->Front.size(); ++k)
@@ -298,7 +302,9 @@ private:
   {
     this->Near.clear();
     bool isAny = false;
-    for (Id entry = this->Heads[At(triangle)]; entry != NoId; entry = this->Entries[At(entry)].Next)
+    Id entry = this->Heads[At(triangle)];
+    this->NumberOfMeetings += entry == Closed ? 1 : 0;
+    for (; entry >= 0; entry = this->Entries[At(entry)].Next)
     {
       const Entry& other = this->Entries[At(entry)];
       if (!this->AreApart(bite, other.Number()))
@@ -407,7 +413,6 @@ private:
   std::deque<Entry> Entries; ///< most of memory: it is not copied
   std::vector<Id> Seen;      ///< of triangles: the last bite whose walk came there
   std::vector<Id> Front;     ///< of the walk
-  std::vector<std::uint8_t> IsWithin; ///< of its triangles: the ball has all of them
   std::deque<Candidate> Queue;
   std::size_t NumberOfMeetings = 0;
   std::vector<Id> Near; ///< bites in a triangle that the new one may meet, as Entry::Bite

@@ -440,8 +440,13 @@ private:
   /// of the given f. Whether there are any, and the certificates hold again; else all stays.
   bool BiteWhereFar()
   {
+    const std::vector<Id> far = this->FindFar(LeastFarShare);
+    if (far.empty())
+    {
+      return false;
+    }
     SurfaceGround ground = this->Ground;
-    if (!this->LowerSizes(this->FindFar(LeastFarShare)))
+    if (!this->LowerSizes(far))
     {
       return false;
     }
