@@ -156,7 +156,8 @@ private:
     this->Bites.Guards.push_back(Tolerance * SurfaceBitingConstant * size);
     this->Bites.Triangles.push_back(triangle);
     this->Bites.GroundVertices.push_back(NoId);
-    this->Front.assign(1, triangle);
+    this->Front.clear();
+    this->GoTo(this->Bites.Size() - 1, triangle);
     this->Take(this->Bites.Size() - 1);
   }
 
@@ -167,8 +168,10 @@ private:
     this->Front.clear();
     if (vertex != NoId)
     {
-      this->Front.assign(
-        this->Ground.TrianglesAt[vertex].begin(), this->Ground.TrianglesAt[vertex].end());
+      for (const Id t : this->Ground.TrianglesAt[vertex])
+      {
+        this->GoTo(bite, t);
+      }
       return;
     }
     const Point3& center = this->Bites.Centers[At(bite)];
@@ -183,9 +186,9 @@ private:
         {
           isAt = isAt || this->Distance2(slot, center) <= near * near;
         }
-        if (isAt && std::find(this->Front.begin(), this->Front.end(), t) == this->Front.end())
+        if (isAt)
         {
-          this->Front.push_back(t);
+          this->GoTo(bite, t);
         }
       }
     }
@@ -207,16 +210,11 @@ private:
   {
     const Point3 center = this->Bites.Centers[At(bite)];
     const double radius2 = this->Bites.Radii[At(bite)] * this->Bites.Radii[At(bite)];
-    for (const Id triangle : this->Front)
-    {
-      this->Seen[At(triangle)] = bite;
-    }
     const double guard2 = this->Bites.Guards[At(bite)] * this->Bites.Guards[At(bite)];
     this->NumberOfMeetings = 0;
-    std::size_t next = 0;
-    while (next < this->Front.size()) // GoAcross adds some
+    for (std::size_t next = 0; next < this->Front.size(); ++next) // GoAcross adds some
     {
-      const Id triangle = this->Front[next++];
+      const Id triangle = this->Front[next];
       std::array<double, 3> away{}; // of the corners, squared
       for (std::size_t k = 0; k < 3; ++k)
       {

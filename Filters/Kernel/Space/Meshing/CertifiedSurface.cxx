@@ -441,11 +441,7 @@ private:
   bool BiteWhereFar()
   {
     const std::vector<Id> far = this->FindFar(LeastFarShare);
-    if (far.empty())
-    {
-      return false;
-    }
-    SurfaceGround ground = this->Ground;
+    SurfaceGround ground = far.empty() ? SurfaceGround() : this->Ground;
     if (!this->LowerSizes(far))
     {
       return false;
