@@ -8,6 +8,7 @@
 #include <algorithm> // for find, max, min, none_of
 #include <array>     // for corners
 #include <cmath>     // for sqrt
+#include <cstdint>   // for marks
 #include <deque>     // for queues
 #include <utility>   // for move
 
@@ -70,6 +71,7 @@ public:
     , MostBites(mostBites)
     , Beats(pulse)
     , Heads(ground.Mesh.NumberOfTriangles(), NoId)
+    , IsGuard(ground.Mesh.NumberOfTriangles(), 0)
     , Seen(ground.Mesh.NumberOfTriangles(), NoId)
   {
   }
@@ -98,9 +100,6 @@ public:
   }
 
 private:
-  /// The head of a triangle that is in the guard of a bite: it has no list, and all is taken.
-  static constexpr Id Closed = -2;
-
   struct Entry
   {
     Id Bite; ///< ~Bite where its ball has all of the triangle: its sphere meets none there
@@ -134,7 +133,7 @@ private:
   bool IsTaken(Id triangle, const Point3& place) const
   {
     Id entry = this->Heads[At(triangle)];
-    while (entry >= 0 && !this->IsGuarded(this->Entries[At(entry)].Number(), place))
+    while (entry != NoId && !this->IsGuarded(this->Entries[At(entry)].Number(), place))
     {
       entry = this->Entries[At(entry)].Next;
     }
@@ -225,20 +224,13 @@ private:
       constexpr double Most = 1.0 - 1e-6;
       const double farthest = std::max(away[0], std::max(away[1], away[2]));
       const bool isWithin = farthest < Most * radius2;
-      Id& head = this->Heads[At(triangle)];
-      if (!isWithin)
+      if (!isWithin && this->IsGuard[At(triangle)] == 0)
       {
         this->Meet(bite, triangle);
       }
-      if (farthest < Most * guard2)
-      {
-        head = Closed;
-      }
-      else if (head != Closed)
-      {
-        this->Entries.push_back({ isWithin ? ~bite : bite, head });
-        head = static_cast<Id>(this->Entries.size()) - 1;
-      }
+      this->IsGuard[At(triangle)] |= farthest < Most * guard2 ? 1 : 0;
+      this->Entries.push_back({ isWithin ? ~bite : bite, this->Heads[At(triangle)] });
+      this->Heads[At(triangle)] = static_cast<Id>(this->Entries.size()) - 1;
       for (std::size_t k = 0; k < 3; ++k)
       {
         const std::size_t slot = 3 * At(triangle) + k;
@@ -251,6 +243,11 @@ private:
           this->GoAcross(bite, slot);
         }
       }
+    }
+    // Candidates in guards are not free: they only count where there are no others.
+    for (std::size_t k = 0; this->NumberOfMeetings == 0 && k < this->Front.size(); ++k)
+    {
+      this->Meet(bite, this->Front[k]);
     }
     Candidate way{ {}, NoId };
     for (std::size_t k = 0; this->NumberOfMeetings == 0 && k < this->Front.size(); ++k)
@@ -300,9 +297,7 @@ private:
   {
     this->Near.clear();
     bool isAny = false;
-    Id entry = this->Heads[At(triangle)];
-    this->NumberOfMeetings += entry == Closed ? 1 : 0;
-    for (; entry >= 0; entry = this->Entries[At(entry)].Next)
+    for (Id entry = this->Heads[At(triangle)]; entry != NoId; entry = this->Entries[At(entry)].Next)
     {
       const Entry& other = this->Entries[At(entry)];
       if (!this->AreApart(bite, other.Number()))
@@ -407,10 +402,11 @@ private:
   const std::size_t MostBites;
   Pulse& Beats;
   SurfaceBites Bites;
-  std::vector<Id> Heads;     ///< of triangles: the first of the entries of bites that reach it
-  std::deque<Entry> Entries; ///< most of memory: it is not copied
-  std::vector<Id> Seen;      ///< of triangles: the last bite whose walk came there
-  std::vector<Id> Front;     ///< of the walk
+  std::vector<Id> Heads; ///< of triangles: the first of the entries of bites that reach it
+  std::vector<std::uint8_t> IsGuard; ///< of triangles: the guard of a bite has all of them
+  std::deque<Entry> Entries;         ///< most of memory: it is not copied
+  std::vector<Id> Seen;              ///< of triangles: the last bite whose walk came there
+  std::vector<Id> Front;             ///< of the walk
   std::deque<Candidate> Queue;
   std::size_t NumberOfMeetings = 0;
   std::vector<Id> Near; ///< bites in a triangle that the new one may meet, as Entry::Bite
