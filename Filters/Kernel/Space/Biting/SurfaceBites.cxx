@@ -71,6 +71,7 @@ public:
     , MostBites(mostBites)
     , Beats(pulse)
     , Heads(ground.Mesh.NumberOfTriangles(), NoId)
+    , IsGuard(ground.Mesh.NumberOfTriangles(), 0)
     , Seen(ground.Mesh.NumberOfTriangles(), NoId)
   {
   }
@@ -94,6 +95,7 @@ public:
       }
     }
     this->Bites.Guards.clear();
+    this->Entries.clear();
     return this->Bites; // a copy, without the room of growing arrays
   }
 
@@ -130,14 +132,12 @@ private:
   /// Whether the guard of a bite that reaches the triangle has the place.
   bool IsTaken(Id triangle, const Point3& place) const
   {
-    for (Id entry = this->Heads[At(triangle)]; entry != NoId; entry = this->Entries[At(entry)].Next)
+    Id entry = this->Heads[At(triangle)];
+    while (entry != NoId && !this->IsGuarded(this->Entries[At(entry)].Number(), place))
     {
-      if (this->IsGuarded(this->Entries[At(entry)].Number(), place))
-      {
-        return true;
-      }
+      entry = this->Entries[At(entry)].Next;
     }
-    return false;
+    return entry != NoId;
   }
 
   bool IsGuarded(Id bite, const Point3& place) const
@@ -155,7 +155,8 @@ private:
     this->Bites.Guards.push_back(Tolerance * SurfaceBitingConstant * size);
     this->Bites.Triangles.push_back(triangle);
     this->Bites.GroundVertices.push_back(NoId);
-    this->Front.assign(1, triangle);
+    this->Front.clear();
+    this->GoTo(this->Bites.Size() - 1, triangle);
     this->Take(this->Bites.Size() - 1);
   }
 
@@ -166,8 +167,10 @@ private:
     this->Front.clear();
     if (vertex != NoId)
     {
-      this->Front.assign(
-        this->Ground.TrianglesAt[vertex].begin(), this->Ground.TrianglesAt[vertex].end());
+      for (const Id t : this->Ground.TrianglesAt[vertex])
+      {
+        this->GoTo(bite, t);
+      }
       return;
     }
     const Point3& center = this->Bites.Centers[At(bite)];
@@ -182,9 +185,9 @@ private:
         {
           isAt = isAt || this->Distance2(slot, center) <= near * near;
         }
-        if (isAt && std::find(this->Front.begin(), this->Front.end(), t) == this->Front.end())
+        if (isAt)
         {
-          this->Front.push_back(t);
+          this->GoTo(bite, t);
         }
       }
     }
@@ -206,17 +209,11 @@ private:
   {
     const Point3 center = this->Bites.Centers[At(bite)];
     const double radius2 = this->Bites.Radii[At(bite)] * this->Bites.Radii[At(bite)];
-    for (const Id triangle : this->Front)
-    {
-      this->Seen[At(triangle)] = bite;
-    }
+    const double guard2 = this->Bites.Guards[At(bite)] * this->Bites.Guards[At(bite)];
     this->NumberOfMeetings = 0;
-    // Candidates first: the new bite is in no list yet.
-    std::size_t next = 0;
-    this->IsWithin.clear();
-    while (next < this->Front.size()) // GoAcross adds some
+    for (std::size_t next = 0; next < this->Front.size(); ++next) // GoAcross adds some
     {
-      const Id triangle = this->Front[next++];
+      const Id triangle = this->Front[next];
       std::array<double, 3> away{}; // of the corners, squared
       for (std::size_t k = 0; k < 3; ++k)
       {
@@ -226,11 +223,14 @@ private:
       // By more than candidates may be beside the triangle.
       constexpr double Most = 1.0 - 1e-6;
       const double farthest = std::max(away[0], std::max(away[1], away[2]));
-      this->IsWithin.push_back(farthest < Most * radius2 ? 1 : 0);
-      if (this->IsWithin.back() == 0)
+      const bool isWithin = farthest < Most * radius2;
+      if (!isWithin && this->IsGuard[At(triangle)] == 0)
       {
         this->Meet(bite, triangle);
       }
+      this->IsGuard[At(triangle)] |= farthest < Most * guard2 ? 1 : 0;
+      this->Entries.push_back({ isWithin ? ~bite : bite, this->Heads[At(triangle)] });
+      this->Heads[At(triangle)] = static_cast<Id>(this->Entries.size()) - 1;
       for (std::size_t k = 0; k < 3; ++k)
       {
         const std::size_t slot = 3 * At(triangle) + k;
@@ -244,11 +244,10 @@ private:
         }
       }
     }
-    for (std::size_t k = 0; k < this->Front.size(); ++k)
+    // Candidates in guards are not free: they only count where there are no others.
+    for (std::size_t k = 0; this->NumberOfMeetings == 0 && k < this->Front.size(); ++k)
     {
-      Id& head = this->Heads[At(this->Front[k])];
-      this->Entries.push_back({ this->IsWithin[k] != 0 ? ~bite : bite, head });
-      head = static_cast<Id>(this->Entries.size()) - 1;
+      this->Meet(bite, this->Front[k]);
     }
     Candidate way{ {}, NoId };
     for (std::size_t k = 0; this->NumberOfMeetings == 0 && k < this->Front.size(); ++k)
@@ -403,11 +402,11 @@ private:
   const std::size_t MostBites;
   Pulse& Beats;
   SurfaceBites Bites;
-  std::vector<Id> Heads;     ///< of triangles: the first of the entries of bites that reach it
-  std::deque<Entry> Entries; ///< most of memory: it is not copied
-  std::vector<Id> Seen;      ///< of triangles: the last bite whose walk came there
-  std::vector<Id> Front;     ///< of the walk
-  std::vector<std::uint8_t> IsWithin; ///< of its triangles: the ball has all of them
+  std::vector<Id> Heads; ///< of triangles: the first of the entries of bites that reach it
+  std::vector<std::uint8_t> IsGuard; ///< of triangles: the guard of a bite has all of them
+  std::deque<Entry> Entries;         ///< most of memory: it is not copied
+  std::vector<Id> Seen;              ///< of triangles: the last bite whose walk came there
+  std::vector<Id> Front;             ///< of the walk
   std::deque<Candidate> Queue;
   std::size_t NumberOfMeetings = 0;
   std::vector<Id> Near; ///< bites in a triangle that the new one may meet, as Entry::Bite

@@ -87,68 +87,61 @@ private:
   /// oriented alike, pieces of borders one.
   void CheckFan(Id bite)
   {
-    const IdLists::List slots = this->FacetsAt[bite];
-    Id starts = 0; // fans that begin at a piece
-    Id walked = 0; // facets in these
-    for (const Id slot : slots)
+    this->Fan.clear();
+    for (const Id slot : this->FacetsAt[bite])
+    {
+      this->Fan.push_back({ this->Next(slot), this->Previous(slot) });
+    }
+    std::size_t starts = 0; // fans that begin at a piece
+    std::size_t walked = 0; // facets in these
+    for (const auto& [next, previous] : this->Fan)
     {
       Id before = 0;
       Id beside = 0;
-      for (const Id other : slots)
+      for (const auto& other : this->Fan)
       {
-        before += this->Previous(other) == this->Next(slot) ? 1 : 0;
-        beside += this->Next(other) == this->Next(slot) ? 1 : 0;
+        before += other.second == next ? 1 : 0;
+        beside += other.first == next ? 1 : 0;
       }
-      const bool isPiece = this->IsPiece(bite, this->Next(slot));
+      const bool isPiece = this->IsPiece(bite, next);
       if (((before != 1 || beside != 1) &&
-            (!isPiece || this->IsAmong(this->Turning, bite, this->Next(slot)))) ||
-        (before + beside != 1 && this->IsAmong(this->Borders, bite, this->Next(slot))))
+            (!isPiece || this->IsAmong(this->Turning, bite, next))) ||
+        (before + beside != 1 && this->IsAmong(this->Borders, bite, next)))
       {
-        this->Tell(BoundaryFault::NonManifold, bite, this->Next(slot));
+        this->Tell(BoundaryFault::NonManifold, bite, next);
         return;
       }
       starts += isPiece ? 1 : 0;
     }
-    for (const Id slot : slots)
+    for (std::size_t k = 0; k < (starts == 0 ? 1 : this->Fan.size()); ++k)
     {
-      if (starts == 0 || this->IsPiece(bite, this->Next(slot)))
-      {
-        walked += this->WalkFan(bite, slot);
-      }
-      if (starts == 0)
-      {
-        break;
-      }
+      const bool isStart = starts == 0 || this->IsPiece(bite, this->Fan[k].first);
+      walked += isStart ? this->WalkFan(bite, k) : 0;
     }
-    if (walked != slots.Size() && (starts > 0 || bite >= this->Bites.NumberOfCorners))
+    if (walked != this->Fan.size() && (starts > 0 || bite >= this->Bites.NumberOfCorners))
     {
       this->Tell(BoundaryFault::Pinched, bite, NoId);
     }
   }
 
-  /// The number of facets from the slot of the bite on, up to a piece or round.
-  Id WalkFan(Id bite, Id slot) const
+  /// The number of facets of Fan from the first on, up to a piece or round.
+  std::size_t WalkFan(Id bite, std::size_t first) const
   {
-    const Id first = slot;
-    const Id limit = this->FacetsAt[bite].Size();
-    for (Id count = 1; count <= limit; ++count)
+    std::size_t at = first;
+    for (std::size_t count = 1; count <= this->Fan.size(); ++count)
     {
-      if (this->IsPiece(bite, this->Previous(slot)))
+      const Id previous = this->Fan[at].second;
+      at = this->Fan.size();
+      for (std::size_t k = 0; k < this->Fan.size() && !this->IsPiece(bite, previous); ++k)
+      {
+        at = this->Fan[k].first == previous ? k : at;
+      }
+      if (at == first || at == this->Fan.size())
       {
         return count;
       }
-      Id next = NoId;
-      for (const Id other : this->FacetsAt[bite])
-      {
-        next = this->Next(other) == this->Previous(slot) ? other : next;
-      }
-      if (next == first || next == NoId)
-      {
-        return count;
-      }
-      slot = next;
     }
-    return limit + 1;
+    return this->Fan.size() + 1;
   }
 
   void CheckPieces()
@@ -191,6 +184,8 @@ private:
   const SurfaceBites& Bites;
   SurfaceBoundary& Boundary;
   IdLists FacetsAt; ///< of bites: the slots of facets
+  std::vector<std::pair<Id, Id>>
+    Fan; ///< of the facets at a bite: the next corner, the previous one
   std::vector<std::pair<Id, Id>> Pieces;
   std::vector<std::pair<Id, Id>> Turning; ///< those of turning edges
   std::vector<std::pair<Id, Id>> Borders; ///< those of borders

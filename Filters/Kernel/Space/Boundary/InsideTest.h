@@ -29,6 +29,10 @@ std::pair<Id, double> NearestTriangle(const SurfaceMesh& mesh, const BoxTree<Sur
   tree.Search(place, 1.0, most,
     [&mesh, &place, &nearest, &isWanted](const SurfaceItem& item, double)
     {
+      if (item.Bounds.DistanceTo(place) >= nearest.second)
+      {
+        return nearest.second;
+      }
       const double distance =
         Distance(NearestPoint(mesh.Triangle(At(item.Triangle)), place), place);
       const bool isNearest = distance < nearest.second && isWanted(item.Triangle);

@@ -440,8 +440,9 @@ private:
   /// of the given f. Whether there are any, and the certificates hold again; else all stays.
   bool BiteWhereFar()
   {
-    SurfaceGround ground = this->Ground;
-    if (!this->LowerSizes(this->FindFar(LeastFarShare)))
+    const std::vector<Id> far = this->FindFar(LeastFarShare);
+    SurfaceGround ground = far.empty() ? SurfaceGround() : this->Ground;
+    if (!this->LowerSizes(far))
     {
       return false;
     }

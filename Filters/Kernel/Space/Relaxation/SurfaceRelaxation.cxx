@@ -29,22 +29,33 @@ constexpr double Nearer = 1e-3; ///< by as much at least, steps approach the gro
 
 using Triangle = std::array<Point3, 3>;
 
-/// The cosine of the smallest angle, which is opposite the shortest side.
-double WorstCosine(const Triangle& t)
+/// Of the smallest angle, which is opposite the shortest side: twice the product of the sides at it
+/// and its cosine, and the square of that of the sides.
+inline std::array<double, 2> WorstAngle(const Triangle& t)
 {
-  std::array<double, 3> sides{};
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const Point3 side = t[(k + 2) % 3] - t[(k + 1) % 3];
-    sides[k] = Dot(side, side);
-  }
-  const double least = std::min(sides[0], std::min(sides[1], sides[2]));
-  const double most = std::max(sides[0], std::max(sides[1], sides[2]));
-  const double middle = sides[0] + sides[1] + sides[2] - least - most;
-  return middle > 0.0 ? 0.5 * (middle + most - least) / std::sqrt(middle * most) : 1.0;
+  const double a = Dot(t[2] - t[1], t[2] - t[1]);
+  const double b = Dot(t[0] - t[2], t[0] - t[2]);
+  const double c = Dot(t[1] - t[0], t[1] - t[0]);
+  const double least = std::min(a, std::min(b, c));
+  const double most = std::max(a, std::max(b, c));
+  const double middle = a + b + c - least - most;
+  return { middle + most - least, middle * most };
 }
 
-Point3 NormalOf(const Triangle& t)
+double WorstCosine(const Triangle& t)
+{
+  const auto [twice, square] = WorstAngle(t);
+  return square > 0.0 ? 0.5 * twice / std::sqrt(square) : 1.0;
+}
+
+/// Whether WorstCosine is below `cosine`.
+inline bool IsBetter(const Triangle& t, double cosine)
+{
+  const auto [twice, square] = WorstAngle(t);
+  return twice * twice < 4.0 * cosine * cosine * square;
+}
+
+inline Point3 NormalOf(const Triangle& t)
 {
   return Cross(t[1] - t[0], t[2] - t[0]);
 }
@@ -77,27 +88,15 @@ protected:
     , Changes(mesh.Points.size(), 0)
     , Patches(ground)
     , Places(ground, mesh.Chains, mesh.Points)
+    , SlotsAt(PlacesByOwner(mesh.Corners, mesh.Points.size()))
   {
-  }
-
-  const Point3& PointOf(std::size_t slot) const
-  {
-    return this->Mesh.Points[At(this->Mesh.Corners[slot])];
   }
 
   Triangle TriangleAt(std::size_t slot) const
   {
-    return { this->PointOf(slot), this->PointOf(NextSlotOf(slot)),
-      this->PointOf(PreviousSlotOf(slot)) };
-  }
-
-  /// The mean of f at the corners of the triangle.
-  double SizeOf(std::size_t triangle) const
-  {
-    const Id* corners = &this->Mesh.Corners[3 * triangle];
-    return (this->Mesh.Sizes[At(corners[0])] + this->Mesh.Sizes[At(corners[1])] +
-             this->Mesh.Sizes[At(corners[2])]) /
-      3.0;
+    const auto point = [this](std::size_t s)
+    { return this->Mesh.Points[At(this->Mesh.Corners[s])]; };
+    return { point(slot), point(NextSlotOf(slot)), point(PreviousSlotOf(slot)) };
   }
 
   /// Of the triangles at the edge of the slot (SurfaceFlip).
@@ -172,8 +171,19 @@ protected:
   /// After flips.
   void ListSlots() { this->SlotsAt = PlacesByOwner(this->Mesh.Corners, this->Mesh.Points.size()); }
 
-  /// Moves the vertex to the place on the ground, or on its chain, if no triangle of its star is
-  /// worse then than the worst one was, or than `good`, and none as far from the ground as `far`.
+  /// Lists the triangles at the vertex, which is their first corner.
+  void Gather(Id vertex)
+  {
+    this->Old.clear();
+    for (const Id s : this->SlotsAt[vertex])
+    {
+      this->Old.push_back(this->TriangleAt(At(s)));
+    }
+  }
+
+  /// Moves the vertex, of which Gather was called, to the place on the ground, or on its chain, if
+  /// no triangle is worse then than the worst one was, or than `good`, and none as far from the
+  /// ground as `far`.
   bool TryMove(Id vertex, const Point3& wanted, double good, double far = Infinity)
   {
     const bool isFree = this->Mesh.IsFree[At(vertex)] != 0;
@@ -190,30 +200,31 @@ protected:
     {
       place = this->Places.Project(vertex, wanted);
     }
-    double after = 0.0;
-    for (const Id s : this->SlotsAt[vertex])
+    this->New = this->Old;
+    for (Triangle& t : this->New)
     {
-      const auto [own, next, previous] = this->TriangleAt(At(s));
-      after = std::max(after, WorstCosine({ place.Place, next, previous }));
+      t[0] = place.Place;
     }
     constexpr double Better = 1e-9;
-    bool isBetter = after < good || after < this->WorstAt(vertex) - Better;
-    for (const Id s : this->SlotsAt[vertex])
+    bool isBetter = std::all_of(
+      this->New.begin(), this->New.end(), [good](const Triangle& t) { return IsBetter(t, good); });
+    double before = 0.0;
+    double after = 0.0;
+    for (std::size_t k = 0; k < this->New.size() && !isBetter; ++k)
     {
-      if (!isBetter)
-      {
-        break;
-      }
-      const std::size_t slot = At(s);
-      Triangle t = this->TriangleAt(slot);
-      const Point3 normal = NormalOf(t);
-      t[0] = place.Place;
-      isBetter = this->Agrees(t,
+      before = std::max(before, WorstCosine(this->Old[k]));
+      after = std::max(after, WorstCosine(this->New[k]));
+    }
+    isBetter = isBetter || after < before - Better;
+    for (std::size_t k = 0; k < this->New.size() && isBetter; ++k)
+    {
+      const std::size_t slot = At(this->SlotsAt[vertex][static_cast<Id>(k)]);
+      isBetter = this->Agrees(this->New[k],
         { vertex, this->Mesh.Corners[NextSlotOf(slot)], this->Mesh.Corners[PreviousSlotOf(slot)] },
-        normal);
+        NormalOf(this->Old[k]));
     }
     this->Mesh.Points[At(vertex)] = place.Place;
-    if (isBetter && (far == Infinity || this->IsNearer(vertex, far)))
+    if (isBetter && (far == Infinity || this->DeviationAt(vertex, far) < far))
     {
       this->Changes[At(vertex)] = ++this->Now;
       if (isFree)
@@ -230,17 +241,6 @@ protected:
     this->Mesh.Points[At(vertex)] = oldPlace;
     this->Mesh.Triangles[At(vertex)] = oldTriangle;
     return false;
-  }
-
-  /// The worst cosine of the triangles at the vertex.
-  double WorstAt(Id vertex) const
-  {
-    double worst = 0.0;
-    for (const Id s : this->SlotsAt[vertex])
-    {
-      worst = std::max(worst, WorstCosine(this->TriangleAt(At(s))));
-    }
-    return worst;
   }
 
   /// Tries to move the corners of the triangle by the step, in f: free ones in twelve directions.
@@ -266,6 +266,7 @@ protected:
         const double angle = k * 6.283185307179586 / directions;
         const Point3 place =
           this->Mesh.Points[At(vertex)] + std::cos(angle) * u + std::sin(angle) * v;
+        this->Gather(vertex);
         if (this->TryMove(vertex, place, toApproach ? BadCosine : 0.0, far))
         {
           isChanged = true;
@@ -281,7 +282,8 @@ protected:
   {
     const Point3& normal =
       this->Ground.NormalOf(At(this->Mesh.Triangles[At(this->Mesh.Corners[slot])]));
-    const Point3 across = Cross(normal, this->PointOf(NextSlotOf(slot)) - this->PointOf(slot));
+    const Triangle t = this->TriangleAt(slot);
+    const Point3 across = Cross(normal, t[1] - t[0]);
     return (1.0 / std::max(Length(across), 1e-300)) * across;
   }
 
@@ -306,22 +308,15 @@ protected:
       { this->Mesh.Corners[3 * t], this->Mesh.Corners[3 * t + 1], this->Mesh.Corners[3 * t + 2] });
   }
 
-  /// Whether all triangles at the vertex are.
-  bool IsNearer(Id vertex, double far) const
+  /// The largest one of the triangles at the vertex; or one of them that is not below `most`.
+  double DeviationAt(Id vertex, double most = Infinity) const
   {
-    return std::all_of(this->SlotsAt[vertex].begin(), this->SlotsAt[vertex].end(),
-      [this, far](Id slot) { return this->DeviationOf(At(slot) / 3) < far; });
-  }
-
-  /// The largest one of the triangles at the vertex.
-  double DeviationAt(Id vertex) const
-  {
-    double most = 0.0;
+    double largest = 0.0;
     for (const Id s : this->SlotsAt[vertex])
     {
-      most = std::max(most, this->DeviationOf(At(s) / 3));
+      largest = largest < most ? std::max(largest, this->DeviationOf(At(s) / 3)) : largest;
     }
-    return most;
+    return largest;
   }
 
   const SurfaceGround& Ground;
@@ -331,7 +326,9 @@ protected:
   Id Now = 0;              ///< the number of changes
   GroundPatches Patches;
   ChainPlaces Places;
-  IdLists SlotsAt; ///< of vertices
+  IdLists SlotsAt;           ///< of vertices
+  std::vector<Triangle> Old; ///< at a vertex
+  std::vector<Triangle> New; ///< the same, when it is moved
 };
 
 /// The order of the steps.
@@ -391,17 +388,17 @@ private:
     std::vector<double> angles(this->Mesh.Points.size(), 0.0);
     for (std::size_t slot = 0; slot < this->Mesh.Corners.size(); ++slot)
     {
-      const Point3& place = this->PointOf(slot);
-      const Point3 a = this->PointOf(NextSlotOf(slot)) - place;
-      const Point3 b = this->PointOf(PreviousSlotOf(slot)) - place;
-      angles[At(this->Mesh.Corners[slot])] += std::atan2(Length(Cross(a, b)), Dot(a, b));
+      const std::size_t vertex = At(this->Mesh.Corners[slot]);
+      const Triangle t = this->TriangleAt(slot);
+      angles[vertex] += this->Mesh.IsFree[vertex] != 0
+        ? 0.0
+        : std::atan2(Length(NormalOf(t)), Dot(t[1] - t[0], t[2] - t[0]));
     }
     for (std::size_t v = 0; v < angles.size(); ++v)
     {
       constexpr double Sixty = 1.0471975511965976;
-      this->Ideal[v] = this->Mesh.IsFree[v] != 0
-        ? 6
-        : std::max(static_cast<Id>(std::lround(angles[v] / Sixty)), Id{ 1 });
+      const Id ideal = std::max(static_cast<Id>(std::lround(angles[v] / Sixty)), Id{ 1 });
+      this->Ideal[v] = this->Mesh.IsFree[v] != 0 ? 6 : ideal;
     }
   }
 
@@ -414,7 +411,8 @@ private:
       this->Trials.assign(this->Trials.size(), NoId);
       this->AreByDegrees = byDegrees;
     }
-    for (int sweep = 0; sweep < MostSweeps && isChanged; ++sweep)
+    int sweep = 0;
+    for (; sweep < MostSweeps && isChanged; ++sweep)
     {
       isChanged = false;
       for (std::size_t slot = 0; slot < this->Mesh.Corners.size(); ++slot)
@@ -427,7 +425,10 @@ private:
         }
       }
     }
-    this->ListSlots();
+    if (sweep > 1) // there were flips
+    {
+      this->ListSlots();
+    }
   }
 
   /// Whether nothing at the four vertices has changed since the flip was tried.
@@ -455,13 +456,13 @@ private:
   bool TryFlip(std::size_t slot, bool byDegrees)
   {
     const Id gain = byDegrees ? this->GainOfDegrees(this->VerticesAt(slot)) : 0;
-    const double before = std::max(WorstCosine(this->TriangleAt(slot)),
-      WorstCosine(this->TriangleAt(At(this->Stars.Across(slot)))));
-    if (gain < 0 && before <= GoodCosine)
+    if (gain < 0 && IsBetter(this->TriangleAt(slot), GoodCosine) &&
+      IsBetter(this->TriangleAt(At(this->Stars.Across(slot))), GoodCosine))
     {
       return false;
     }
     const SurfaceFlip flip = this->FlipAt(slot);
+    const double before = flip.Before();
     const double after = flip.After();
     constexpr double Better = 1e-6;
     constexpr double LeastForDegrees = 0.9063077870366499; // 25 degrees
@@ -481,11 +482,15 @@ private:
   {
     Point3 sum{};
     double mass = 0.0;
-    for (const Id s : this->SlotsAt[vertex])
+    this->Gather(vertex);
+    for (std::size_t k = 0; k < this->Old.size(); ++k)
     {
-      const Triangle t = this->TriangleAt(At(s));
-      const double size = this->SizeOf(At(s) / 3);
-      const double own = Length(Cross(t[1] - t[0], t[2] - t[0])) / (size * size * size * size);
+      const Triangle& t = this->Old[k];
+      const std::size_t first = At(this->SlotsAt[vertex][static_cast<Id>(k)]) / 3 * 3;
+      const auto sizeAt = [this, first](std::size_t corner)
+      { return this->Mesh.Sizes[At(this->Mesh.Corners[first + corner])]; };
+      const double size = (sizeAt(0) + sizeAt(1) + sizeAt(2)) / 3.0;
+      const double own = Length(NormalOf(t)) / (size * size * size * size);
       sum = sum + (own / 3.0) * (t[0] + t[1] + t[2]);
       mass += own;
     }
@@ -503,7 +508,7 @@ private:
     bool isChanged = false;
     for (std::size_t t = 0; t < this->Mesh.Corners.size() / 3; ++t)
     {
-      if (WorstCosine(this->TriangleAt(3 * t)) >= BadCosine && this->Beats.Beat(8))
+      if (!IsBetter(this->TriangleAt(3 * t), BadCosine) && this->Beats.Beat(8))
       {
         isChanged = this->MoveCorners(t, step, false) || isChanged;
       }
