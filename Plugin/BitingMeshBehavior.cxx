@@ -97,13 +97,24 @@ const Output* OutputOf(pqOutputPort* port)
   return found != std::end(MayBeEmpty) ? found : nullptr;
 }
 
-void Color(vtkSMPVRepresentationProxy* proxy, pqPipelineSource* source, const Output& output)
+// With a legend.
+void Color(
+  vtkSMPVRepresentationProxy* proxy, pqOutputPort* port, vtkSMViewProxy* view, const Output& output)
 {
-  if (!proxy->GetUsingScalarColoring())
+  const bool isOfTetrahedra =
+    output.Port == MeshPort && IsA(port->getSource(), "BitingTetrahedralizer");
+  const char* array = isOfTetrahedra ? ArrayOfTetrahedra : output.Array;
+  // Bites in space have no phases.
+  const bool isThere =
+    port->getDataInformation()->GetArrayInformation(array, output.Association) != nullptr;
+  if (isThere && !proxy->GetUsingScalarColoring())
   {
     // The colours of all these arrays belong to their values: nothing is to be rescaled.
-    const bool isOfTetrahedra = output.Port == MeshPort && IsA(source, "BitingTetrahedralizer");
-    proxy->SetScalarColoring(isOfTetrahedra ? ArrayOfTetrahedra : output.Array, output.Association);
+    proxy->SetScalarColoring(array, output.Association);
+  }
+  if (proxy->GetUsingScalarColoring())
+  {
+    proxy->SetScalarBarVisibility(view, true);
   }
 }
 
@@ -115,8 +126,7 @@ void Show(pqDataRepresentation* representation, const Output& output)
     representation->getOutputPortFromInput()->getSource()->getSourceProxy(), output.Port, view);
   if (auto* proxy = vtkSMPVRepresentationProxy::SafeDownCast(representation->getProxy()))
   {
-    Color(proxy, representation->getOutputPortFromInput()->getSource(), output);
-    proxy->SetScalarBarVisibility(view, true);
+    Color(proxy, representation->getOutputPortFromInput(), view, output);
   }
   representation->renderViewEventually();
 }
