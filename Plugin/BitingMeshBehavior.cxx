@@ -230,15 +230,38 @@ void FollowStop(pqPipelineSource* source)
   source->setProperty(IsStopAsked, false);
 }
 
-void ExecuteWhereStopped(pqServerManagerModelItem* item)
+void ExecuteWhereStopped(pqPipelineSource* source)
 {
-  auto* source = qobject_cast<pqPipelineSource*>(item);
-  if (source && source->modifiedState() == pqProxy::UNMODIFIED &&
-    source->property(IsStopped).toBool())
+  if (source->property(IsStopped).toBool())
   {
     source->setProperty(IsStopped, false);
     vtkObject::SafeDownCast(source->getProxy()->GetClientSideObject())->Modified();
     source->getProxy()->MarkModified(source->getProxy());
+  }
+}
+
+// Apply executes only what is shown, and a mesh that was empty is hidden.
+void ExecuteWhereHidden(pqPipelineSource* source)
+{
+  const QList<pqView*> views = source->getViews();
+  const auto isHidden = [source](pqView* view)
+  {
+    pqDataRepresentation* mesh = source->getRepresentation(MeshPort, view);
+    return mesh && mesh->property(IsHiddenByUs).toBool();
+  };
+  if (std::any_of(views.begin(), views.end(), isHidden))
+  {
+    source->updatePipeline();
+  }
+}
+
+void FollowApply(pqServerManagerModelItem* item)
+{
+  auto* source = qobject_cast<pqPipelineSource*>(item);
+  if (source && HasProblems(source) && source->modifiedState() == pqProxy::UNMODIFIED)
+  {
+    ExecuteWhereStopped(source);
+    QTimer::singleShot(0, source, [source] { ExecuteWhereHidden(source); });
   }
 }
 
@@ -409,7 +432,7 @@ void BitingMeshBehavior::startup()
     [this](pqPipelineSource* source) { ChooseArrays(source, this); });
   connect(pqApplicationCore::instance()->getProgressManager(), &pqProgressManager::progress, this,
     &FollowProgress);
-  connect(model, &pqServerManagerModel::modifiedStateChanged, this, &ExecuteWhereStopped);
+  connect(model, &pqServerManagerModel::modifiedStateChanged, this, &FollowApply);
 }
 
 void BitingMeshBehavior::FollowSource(vtkObject* arrays, unsigned long, void*)

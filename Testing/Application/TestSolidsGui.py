@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 """A body in the real ParaView window: its surface checked and meshed, filled with tetrahedra, judged.
-The panel can be read, and is that of the mesh, also after Undo.
+The panel can be read, and is that of the mesh, also after an error and after Undo.
 
 Runs on the display it is given (xvfb-run), with the folder of the plugin and an output folder as
 arguments.
@@ -15,6 +15,7 @@ import paraview_window as window
 
 UNIFORM_SPACING = (window.PANEL + '/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/'
                    'PropertiesFrame/ProxyPanel/UniformSpacing/DoubleLineEdit0')
+REFUSED = '-1'  # an error without a place: nothing of the filter is shown
 
 
 def main(plugin_folder, output):
@@ -26,7 +27,7 @@ def main(plugin_folder, output):
         session.apply()
         session.check(the_output_is_colored_by, array)
         session.check(the_summary_ends_in_sight)
-    for spacing in ('6', '5'):
+    for spacing in (REFUSED, '6', '5'):
         session.event(UNIFORM_SPACING, 'set_string', spacing)
         session.apply()
     session.event(window.MAIN + '/menubar/menu_Edit', 'activate', 'actionEditUndo')
@@ -37,7 +38,7 @@ def main(plugin_folder, output):
     session.choose_filter('MeshConformity')
     session.apply()
     session.check(the_chart_has_dihedral_angles)
-    session.run()
+    session.run(expected=['it must be finite, and 0 or more'])
 
 
 def the_output_is_colored_by(output, array):
