@@ -189,6 +189,10 @@ void SetUp(pqRepresentation* added)
   {
     NameAxes(representation);
   }
+  if (OutputOf(port) && representation->isVisible())
+  {
+    port->getSource()->updatePipeline(); // states are loaded before they are executed
+  }
   Follow(representation);
 }
 
