@@ -3,8 +3,9 @@
 """Closed surfaces filled with tetrahedra: pvpython solids.py BitingMesh.so OUTPUT_FOLDER
 
 Makes solids.png, by Biting Tetrahedralizer, cut open: the bracket of this folder, by smallest dihedral
-angles; a shell of two materials around a cavity; a ball whose edges a field in space makes short. The
-picture has 96 colours: convert solids.png -dither None -colors 96 PNG8:solids.png
+angles; a shell of two materials around a cavity; a ball whose edges a field in space makes short. And
+united.png: three bodies that cross, as given, with a sphere at each crossing, and their union, cut open.
+The pictures have 96 colours: convert solids.png -dither None -colors 96 PNG8:solids.png
 """
 
 import os
@@ -26,6 +27,7 @@ def main(plugin, folder):
     LoadPlugin(os.path.abspath(plugin), remote=False, ns=vars(examples))
     shown = [bracket(), shell(folder), graded(folder)]
     views.save_row(shown, SIZE, os.path.join(folder, 'solids.png'))
+    views.save_row(crossing_bodies(), SIZE, os.path.join(folder, 'united.png'))
 
 
 def bracket():
@@ -50,6 +52,23 @@ def graded(folder):
     view = views.space_view([1.5, -4, 2.4], [0, 0, 0], 1.12, SIZE)
     show_half(examples.ball_with_a_spacing_field(folder), view, [0, 0, 0], [0, 1, 0])
     return view
+
+
+def crossing_bodies():
+    """A plate, a bar through it and a ball in its rim: as given with the crossings, and the union."""
+    plate = Box(XLength=5, YLength=3, ZLength=0.8)
+    bar = Transform(Input=Cylinder(Radius=0.6, Height=4, Resolution=48))
+    bar.Transform.Rotate, bar.Transform.Translate = [90, 0, 0], [-0.9, 0, 0]
+    ball = Sphere(Radius=1, Center=[2, 0, 0.2], ThetaResolution=48, PhiResolution=32)
+    given = AppendGeometry(Input=[plate, bar, ball])
+    mesh = BitingTetrahedralizer(Input=given, UniformSpacing=0.25)
+    seen = [[3, -9, 5], [0.2, 0, 0], 2.9, SIZE]
+    before, after = views.space_view(*seen), views.space_view(*seen)
+    views.show_surface(given, before)
+    Show(OutputPort(mesh, 3), before, ColorArrayName=[None, ''], PointSize=7,
+        RenderPointsAsSpheres=1, AmbientColor=[1, 0.1, 0.1], DiffuseColor=[1, 0.1, 0.1])
+    show_half(mesh, after, [0, 0, 0], [0, 1, 0])
+    return [before, after]
 
 
 def show_half(mesh, view, origin, normal):

@@ -52,14 +52,10 @@ def drawing_of_plate():
     """A rectangle with three round holes."""
     rectangle = Plane(Origin=[-20, -12, 0], Point1=[20, -12, 0], Point2=[-20, 12, 0],
                       XResolution=1, YResolution=1)
-    holes = [Disk(InnerRadius=0, OuterRadius=radius, CircumferentialResolution=48)
-             for radius in (7, 3, 3)]
-    placed = [Transform(Input=hole) for hole in holes]
-    for transform, x in zip(placed, (0, -14, 14)):
-        transform.Transform.Translate = [x, 0, 0]
-    outlines = [FeatureEdges(Input=source, FeatureEdges=0, ManifoldEdges=0, NonManifoldEdges=0)
-                for source in [rectangle] + placed]
-    return AppendGeometry(Input=outlines)
+    outline = FeatureEdges(Input=rectangle, FeatureEdges=0, ManifoldEdges=0, NonManifoldEdges=0)
+    holes = [Ellipse(Center=[x, 0, 0], MajorRadiusVector=[radius, 0, 0], Ratio=1, Resolution=48)
+             for x, radius in ((0, 7), (-14, 3), (14, 3))]
+    return AppendGeometry(Input=[outline, *holes])
 
 
 def contour():

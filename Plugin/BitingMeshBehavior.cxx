@@ -97,13 +97,24 @@ const Output* OutputOf(pqOutputPort* port)
   return found != std::end(MayBeEmpty) ? found : nullptr;
 }
 
-void Color(vtkSMPVRepresentationProxy* proxy, pqPipelineSource* source, const Output& output)
+// With a legend.
+void Color(
+  vtkSMPVRepresentationProxy* proxy, pqOutputPort* port, vtkSMViewProxy* view, const Output& output)
 {
-  if (!proxy->GetUsingScalarColoring())
+  const bool isOfTetrahedra =
+    output.Port == MeshPort && IsA(port->getSource(), "BitingTetrahedralizer");
+  const char* array = isOfTetrahedra ? ArrayOfTetrahedra : output.Array;
+  // Bites in space have no phases.
+  const bool isThere =
+    port->getDataInformation()->GetArrayInformation(array, output.Association) != nullptr;
+  if (isThere && !proxy->GetUsingScalarColoring())
   {
     // The colours of all these arrays belong to their values: nothing is to be rescaled.
-    const bool isOfTetrahedra = output.Port == MeshPort && IsA(source, "BitingTetrahedralizer");
-    proxy->SetScalarColoring(isOfTetrahedra ? ArrayOfTetrahedra : output.Array, output.Association);
+    proxy->SetScalarColoring(array, output.Association);
+  }
+  if (proxy->GetUsingScalarColoring())
+  {
+    proxy->SetScalarBarVisibility(view, true);
   }
 }
 
@@ -115,8 +126,7 @@ void Show(pqDataRepresentation* representation, const Output& output)
     representation->getOutputPortFromInput()->getSource()->getSourceProxy(), output.Port, view);
   if (auto* proxy = vtkSMPVRepresentationProxy::SafeDownCast(representation->getProxy()))
   {
-    Color(proxy, representation->getOutputPortFromInput()->getSource(), output);
-    proxy->SetScalarBarVisibility(view, true);
+    Color(proxy, representation->getOutputPortFromInput(), view, output);
   }
   representation->renderViewEventually();
 }
@@ -179,6 +189,10 @@ void SetUp(pqRepresentation* added)
   {
     NameAxes(representation);
   }
+  if (OutputOf(port) && representation->isVisible())
+  {
+    port->getSource()->updatePipeline(); // states are loaded before they are executed
+  }
   Follow(representation);
 }
 
@@ -220,15 +234,38 @@ void FollowStop(pqPipelineSource* source)
   source->setProperty(IsStopAsked, false);
 }
 
-void ExecuteWhereStopped(pqServerManagerModelItem* item)
+void ExecuteWhereStopped(pqPipelineSource* source)
 {
-  auto* source = qobject_cast<pqPipelineSource*>(item);
-  if (source && source->modifiedState() == pqProxy::UNMODIFIED &&
-    source->property(IsStopped).toBool())
+  if (source->property(IsStopped).toBool())
   {
     source->setProperty(IsStopped, false);
     vtkObject::SafeDownCast(source->getProxy()->GetClientSideObject())->Modified();
     source->getProxy()->MarkModified(source->getProxy());
+  }
+}
+
+// Apply executes only what is shown, and a mesh that was empty is hidden.
+void ExecuteWhereHidden(pqPipelineSource* source)
+{
+  const QList<pqView*> views = source->getViews();
+  const auto isHidden = [source](pqView* view)
+  {
+    pqDataRepresentation* mesh = source->getRepresentation(MeshPort, view);
+    return mesh && mesh->property(IsHiddenByUs).toBool();
+  };
+  if (std::any_of(views.begin(), views.end(), isHidden))
+  {
+    source->updatePipeline();
+  }
+}
+
+void FollowApply(pqServerManagerModelItem* item)
+{
+  auto* source = qobject_cast<pqPipelineSource*>(item);
+  if (source && HasProblems(source) && source->modifiedState() == pqProxy::UNMODIFIED)
+  {
+    ExecuteWhereStopped(source);
+    QTimer::singleShot(0, source, [source] { ExecuteWhereHidden(source); });
   }
 }
 
@@ -399,7 +436,7 @@ void BitingMeshBehavior::startup()
     [this](pqPipelineSource* source) { ChooseArrays(source, this); });
   connect(pqApplicationCore::instance()->getProgressManager(), &pqProgressManager::progress, this,
     &FollowProgress);
-  connect(model, &pqServerManagerModel::modifiedStateChanged, this, &ExecuteWhereStopped);
+  connect(model, &pqServerManagerModel::modifiedStateChanged, this, &FollowApply);
 }
 
 void BitingMeshBehavior::FollowSource(vtkObject* arrays, unsigned long, void*)

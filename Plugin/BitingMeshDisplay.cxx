@@ -5,6 +5,7 @@
 
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
+#include "pqScalarBarRepresentation.h"
 #include "pqView.h"
 #include "vtkBoundingBox.h"
 #include "vtkDataObject.h"
@@ -15,7 +16,8 @@
 #include "vtkSMTransferFunctionProxy.h"
 #include "vtkSMViewProxy.h"
 
-#include <string> // for titles
+#include <algorithm> // for any_of
+#include <string>    // for titles
 
 namespace
 {
@@ -54,6 +56,19 @@ bool IsHigh(pqView* view)
     }
   }
   return box.IsValid() && box.GetLength(1) > box.GetLength(0);
+}
+
+constexpr const char* PlaceOfLegend = "Lower Center";
+
+bool IsTaken(const char* place, pqView* view)
+{
+  const QList<pqRepresentation*> shown = view->getRepresentations();
+  return std::any_of(shown.begin(), shown.end(),
+    [place](pqRepresentation* legend)
+    {
+      return qobject_cast<pqScalarBarRepresentation*>(legend) &&
+        Text(legend->getProxy(), "WindowLocation") == place;
+    });
 }
 
 // Of tetrahedra there is no column Angle. A chart that has a title is one of a state.
@@ -102,10 +117,10 @@ void SetUpLegend(pqRepresentation* legend)
     {
       vtkSMPropertyHelper(proxy, "Title").Set(title.Text);
       vtkSMPropertyHelper(proxy, "RangeLabelFormat").Set("%g");
-      if (!IsHigh(legend->getView()))
+      if (!IsHigh(legend->getView()) && !IsTaken(PlaceOfLegend, legend->getView()))
       {
         vtkSMPropertyHelper(proxy, "Orientation").Set("Horizontal");
-        vtkSMPropertyHelper(proxy, "WindowLocation").Set("Lower Center");
+        vtkSMPropertyHelper(proxy, "WindowLocation").Set(PlaceOfLegend);
       }
       proxy->UpdateVTKObjects();
       legend->renderViewEventually();

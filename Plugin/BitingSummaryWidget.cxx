@@ -3,13 +3,26 @@
 
 #include "BitingSummaryWidget.h"
 
+#include <QEvent>
 #include <QLabel>
+#include <QScrollArea>
 #include <QVBoxLayout>
+
+#include <algorithm> // for max
 
 namespace
 {
 
-constexpr int Characters = 6; // that are out of sight where ParaView opens the panel
+// The panel: a view of fields that may be wider than it is.
+QScrollArea* PanelOf(QWidget* field)
+{
+  QWidget* ancestor = field->parentWidget();
+  while (ancestor && !qobject_cast<QScrollArea*>(ancestor))
+  {
+    ancestor = ancestor->parentWidget();
+  }
+  return qobject_cast<QScrollArea*>(ancestor);
+}
 
 } // namespace
 
@@ -23,9 +36,44 @@ BitingSummaryWidget::BitingSummaryWidget(
   text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   text->setWordWrap(true);
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, Characters * text->fontMetrics().averageCharWidth(), 0);
+  layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(text);
   this->setShowLabel(false);
   // A label has no signal of its text, and needs none: only the property changes it.
   this->addPropertyLink(text, "text", SIGNAL(linkActivated(QString)), property);
+}
+
+void BitingSummaryWidget::showEvent(QShowEvent* event)
+{
+  this->pqPropertyWidget::showEvent(event);
+  if (QScrollArea* panel = PanelOf(this))
+  {
+    panel->viewport()->installEventFilter(this);
+    this->EndLinesInSight();
+  }
+}
+
+void BitingSummaryWidget::resizeEvent(QResizeEvent* event)
+{
+  this->pqPropertyWidget::resizeEvent(event);
+  this->EndLinesInSight();
+}
+
+bool BitingSummaryWidget::eventFilter(QObject* view, QEvent* event)
+{
+  if (event->type() == QEvent::Resize)
+  {
+    this->EndLinesInSight();
+  }
+  return this->pqPropertyWidget::eventFilter(view, event);
+}
+
+void BitingSummaryWidget::EndLinesInSight()
+{
+  if (QScrollArea* panel = PanelOf(this))
+  {
+    const int right = this->mapTo(panel->widget(), QPoint()).x() + this->width();
+    const int hidden = std::max(0, right - panel->viewport()->width());
+    this->layout()->setContentsMargins(0, 0, hidden, 0);
+  }
 }

@@ -47,7 +47,10 @@ def meshes(plugin_folder, output):
         session.event(FIELDS + 'UniformSpacing' + LINE, 'set_string', spacing)
         session.apply()
         session.check(the_summary_is_of_the_mesh)
+    session.event(FIELDS + 'UniformSpacing' + LINE, 'set_string', '0.2')
+    session.apply()
     session.event(window.MAIN + '/menubar/menu_Edit', 'activate', 'actionEditUndo')
+    session.check(the_spacing_is_again, 0.4)
     session.check(the_summary_is_of_the_mesh)
     session.event(window.PANEL + '/SearchBox/AdvancedButton', 'activate')
     session.check(the_corner_angle_counts, 'false')
@@ -110,6 +113,11 @@ def the_summary_is_of_the_mesh(output):
     shown = mesher().GetDataInformation()
     counts = [int(count.replace(' ', '')) for count in found.groups()]
     assert counts == [shown.GetNumberOfPoints(), shown.GetNumberOfCells()], text
+
+
+def the_spacing_is_again(_output, spacing):
+    """After Undo, with no check before it: Python makes ParaView forget what can be undone."""
+    assert mesher().UniformSpacing == spacing, mesher().UniformSpacing
 
 
 def the_summary_tells_of_the_crossing(_output):

@@ -23,7 +23,7 @@ PICTURES = ('first.png', 'bites.png')
 
 
 def main(plugin_folder, output):
-    state = os.path.join(output, 'state.pvsm')
+    state, state_of_body = (os.path.join(output, name) for name in ('state.pvsm', 'body.pvsm'))
     session = window.Window('TestStatesGui', plugin_folder, output)
     session.check(draw)
     session.choose_filter('BitingMesher')
@@ -31,8 +31,11 @@ def main(plugin_folder, output):
     session.check(picture, 'first.png')
     session.check(make_bites)
     session.check(picture, 'bites.png')
-    session.event(window.MAIN + '/menubar/menu_File', 'activate', 'actionFileSaveServerState')
-    session.event(window.MAIN + '/FileSaveServerStateDialog', 'filesSelected', state)
+    save(session, state)
+    session.check(draw_a_ball)
+    session.choose_filter('BitingTetrahedralizer')
+    session.apply()
+    save(session, state_of_body)
     session.run()
     again = window.Window('TestStatesGui', plugin_folder, os.path.join(output, 'again'))
     again.load_state(state)
@@ -40,11 +43,21 @@ def main(plugin_folder, output):
     again.check(choose_the_mesher)
     again.check(the_panel_is_that_of_the_state)
     again.run()
+    body = window.Window('TestStatesGui', plugin_folder, os.path.join(output, 'body'))
+    body.load_state(state_of_body)
+    body.check(picture, 'body.png')
+    body.check(the_body_is_shown)
+    body.run()
     for name in PICTURES:
         baseline = os.path.join(window.HERE, 'Baseline', name)
         window.expect_same(os.path.join(output, name), baseline, BASELINE)
     loaded = os.path.join(again.output, 'bites.png')
     window.expect_same(loaded, os.path.join(output, 'bites.png'), SAME)
+
+
+def save(session, state):
+    session.event(window.MAIN + '/menubar/menu_File', 'activate', 'actionFileSaveServerState')
+    session.event(window.MAIN + '/FileSaveServerStateDialog', 'filesSelected', state)
 
 
 def draw(_output):
@@ -54,6 +67,22 @@ def draw(_output):
     simple.Show(ellipse, simple.GetActiveView())
     simple.ResetCamera()
     simple.SetActiveSource(ellipse)
+
+
+def draw_a_ball(_output):
+    from paraview import simple
+    simple.HideAll(simple.GetActiveView())
+    ball = simple.Sphere()
+    simple.Show(ball, simple.GetActiveView())
+    simple.SetActiveSource(ball)
+
+
+def the_body_is_shown(_output):
+    from paraview import simple
+    body = simple.FindSource('BitingTetrahedralizer1')
+    shown = simple.GetRepresentation(body, simple.GetActiveView())
+    assert shown.Visibility == 1, 'nothing is seen'
+    assert body.GetDataInformation().GetNumberOfCells() > 1000
 
 
 def picture(output, name):

@@ -5,7 +5,7 @@
 //   BenchmarkMesh cost [vertices [name]]   a table; square meshes up to that size (1000000), cases
 //                                          whose name has `name` in it
 //   BenchmarkMesh quality                  28 pairs of drawing and spacing, and their means
-//   BenchmarkMesh settings                 the means with the settings that README.md compares
+//   BenchmarkMesh settings                 the means with the settings that Method.html compares
 //   BenchmarkMesh blocks [vertices]        the pairs of at least so many vertices (10000) as one
 //                                          block and as at least eight; means over all, the smaller
 //                                          ones as one block in both

@@ -95,9 +95,8 @@ std::string BitingBodyToGrid(BitingBody& body, const CheckedSurface& surface,
   AddFigure(figures, "Volume", volume);
   const auto figure = [figures](const char* name, int digits)
   { return Figure(figures->GetArray(name)->GetComponent(0, 0), digits); };
-  return measured.Summary() +
-    "Largest deviation from the surface: " + figure("LargestDeviation", 3) +
-    " f\nVolume: " + figure("Volume", 6) +
+  return measured.Summary() + "Largest deviation from the surface " +
+    figure("LargestDeviation", 3) + " spacings\nVolume: " + figure("Volume", 6) +
     "\nEuler number of the boundary: " + figure("EulerNumber", 6) + "\n" +
     CapsText(body.Boundary.AskedVertices, vertices);
 }

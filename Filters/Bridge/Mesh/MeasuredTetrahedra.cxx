@@ -158,13 +158,12 @@ std::string MeasuredTetrahedra::Summary() const
 {
   const TetQuality& quality = this->Quality;
   return std::to_string(quality.NumberOfVertices) + " vertices, " +
-    std::to_string(this->Corners.size() / 4) + " tetrahedra\nDihedral angles from " +
-    Figure(quality.SmallestDihedralAngle, 6) + " to " + Figure(quality.LargestDihedralAngle, 6) +
+    std::to_string(this->Corners.size() / 4) + " tetrahedra\nDihedral angles " +
+    Figure(quality.SmallestDihedralAngle) + " to " + Figure(quality.LargestDihedralAngle) +
     " degrees\nSlivers: " + std::to_string(quality.NumberOfSlivers) + "\n" +
     (this->Spacing.empty() ? ""
-                           : "Mean conformity " + Figure(quality.MeanConformity, 6) +
-          " (best: 1)\nMean length of edges in spacings " + Figure(quality.MeanRelativeLength, 6) +
-          "\n");
+                           : "Mean conformity " + Figure(quality.MeanConformity) +
+          " (best: 1)\nMean length of edges " + Figure(quality.MeanRelativeLength) + " spacings\n");
 }
 
 } // namespace biting

@@ -18,7 +18,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm> // for max, min, sort, transform, unique
-#include <cmath>     // for isnan
+#include <cmath>     // for isnan, lround
 #include <numeric>   // for iota
 #include <utility>   // for edges
 
@@ -146,11 +146,10 @@ std::string SummaryOf(const BitingSurface& mesh, const SurfaceQuality& quality)
 {
   return std::to_string(mesh.Points.size()) + " vertices, " +
     std::to_string(mesh.Triangles.size()) +
-    " triangles\nEuler number: " + Figure(EulerNumberOf(mesh, quality), 9) +
-    "\nSmallest angle: " + Figure(quality.SmallestAngle) +
-    " degrees\nMean conformity: " + Figure(quality.MeanConformity) +
-    "\nLargest deviation from the surface: " + Figure(quality.LargestDeviation) + " f\n" +
-    CapsText(mesh.AskedVertices, mesh.Points.size());
+    " triangles\nEuler number: " + Figure(EulerNumberOf(mesh, quality), 9) + "\nSmallest angle " +
+    Figure(quality.SmallestAngle) + " degrees\nMean conformity " + Figure(quality.MeanConformity) +
+    " (best: 1)\nLargest deviation from the surface " + Figure(quality.LargestDeviation) +
+    " spacings\n" + CapsText(mesh.AskedVertices, mesh.Points.size());
 }
 
 } // namespace
@@ -259,9 +258,10 @@ std::string CapsText(double asked, std::size_t made)
   constexpr double Worth = 2.0;
   constexpr double Few = 100.0; // any body has some
   const auto count = static_cast<double>(made);
-  return count > Worth * asked + Few ? "Walls, features and curvature made " +
-      Figure(count / asked, 2) + " times the vertices that the spacing asks for.\n"
-                                     : "";
+  return count > Worth * asked + Few
+    ? "Walls, features and curvature made " + std::to_string(std::lround(count / asked)) +
+      " times the vertices that the spacing asks for.\n"
+    : "";
 }
 
 std::string BitingSurfaceToPolyData(const BitingSurface& mesh, const CheckedSurface& surface,
