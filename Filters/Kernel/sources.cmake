@@ -24,7 +24,6 @@ set(biting_kernel_sources
   Domain/BoundaryComponents.cxx
   Domain/CellOverlaps.cxx
   Domain/ChainKinds.cxx
-  Domain/CrossingEstimate.cxx
   Domain/Domain.cxx
   Domain/EndSurroundings.cxx
   Domain/Meetings.cxx

@@ -3,6 +3,7 @@
 
 #include "Ranks.h"
 
+#include "../../Kernel/Blocks/ByteStream.h"
 #include "../Data/DataTree.h"
 #include "WholeFromPieces.h"
 
@@ -27,8 +28,8 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <algorithm> // for equal, min
-#include <cstring>   // for copies of bytes
+#include <algorithm> // for copy_n, equal, min
+#include <array>     // for axes
 #include <limits>    // for what a message can hold
 #include <new>       // for bad_alloc
 #include <string>    // for names
@@ -55,183 +56,120 @@ enum class Form : char
 // What the legacy format of messages rounds or leaves out.
 struct ImageAxes
 {
-  int Extent[6];
-  double Origin[3];
-  double Spacing[3];
-  double Direction[9];
+  std::array<int, 6> Extent;
+  std::array<double, 3> Origin;
+  std::array<double, 3> Spacing;
+  std::array<double, 9> Direction;
 };
 
-// Makes bytes of a dataset or a tree of datasets. Nothing is lost: names of blocks, extents and
-// axes of images come back bit for bit. Equal data make equal bytes.
-class Packer
-{
-public:
-  // False where `piece`, which may be null, is of another kind.
-  bool Pack(vtkDataObject* piece);
-
-  std::vector<char>& Bytes;
-
-private:
-  bool PackTree(vtkDataObjectTree* tree);
-  bool PackLeaf(vtkDataObject* leaf);
-  void PackAxes(vtkImageData* image);
-
-  template <typename Value>
-  void Put(const Value& value)
-  {
-    const char* first = reinterpret_cast<const char*>(&value);
-    this->Bytes.insert(this->Bytes.end(), first, first + sizeof(value));
-  }
-};
-
-bool Packer::Pack(vtkDataObject* piece)
-{
-  if (!piece)
-  {
-    this->Put(Form::Nothing);
-    return true;
-  }
-  if (auto* tree = vtkDataObjectTree::SafeDownCast(piece))
-  {
-    return this->PackTree(tree);
-  }
-  if (auto* image = vtkImageData::SafeDownCast(piece))
-  {
-    this->Put(Form::Image);
-    this->PackAxes(image);
-    return this->PackLeaf(piece);
-  }
-  this->Put(Form::Other);
-  return vtkDataSet::SafeDownCast(piece) && this->PackLeaf(piece);
-}
-
-bool Packer::PackTree(vtkDataObjectTree* tree)
-{
-  this->Put(Form::Tree);
-  this->Put(tree->GetDataObjectType());
-  const unsigned int count = NumberOfChildren(tree);
-  this->Put(count);
-  bool isPacked = true;
-  for (unsigned int child = 0; child < count && isPacked; ++child)
-  {
-    const std::string name = NameOfChild(tree, child);
-    this->Put(name.size());
-    this->Bytes.insert(this->Bytes.end(), name.begin(), name.end());
-    isPacked = this->Pack(ChildOf(tree, child));
-  }
-  return isPacked;
-}
-
-void Packer::PackAxes(vtkImageData* image)
-{
-  ImageAxes axes;
-  image->GetExtent(axes.Extent);
-  image->GetOrigin(axes.Origin);
-  image->GetSpacing(axes.Spacing);
-  std::memcpy(axes.Direction, image->GetDirectionMatrix()->GetData(), sizeof(axes.Direction));
-  this->Put(axes.Extent);
-  this->Put(axes.Origin);
-  this->Put(axes.Spacing);
-  this->Put(axes.Direction);
-}
-
-bool Packer::PackLeaf(vtkDataObject* leaf)
+bool PackLeaf(vtkDataObject* leaf, ByteWriter& bytes)
 {
   vtkNew<vtkCharArray> message;
   if (vtkCommunicator::MarshalDataObject(leaf, message) == 0)
   {
     return false;
   }
-  const auto length = static_cast<std::size_t>(message->GetNumberOfValues());
-  this->Put(length);
   const char* first = message->GetPointer(0);
-  this->Bytes.insert(this->Bytes.end(), first, first + length);
+  bytes.PutAll(first, first + message->GetNumberOfValues());
   return true;
 }
 
-class Unpacker
-{
-public:
-  vtkSmartPointer<vtkDataObject> Unpack();
-
-  const char* Next;
-
-private:
-  vtkSmartPointer<vtkDataObject> UnpackTree();
-  vtkSmartPointer<vtkDataObject> UnpackImage();
-  vtkSmartPointer<vtkDataObject> UnpackLeaf();
-
-  template <typename Value>
-  void Take(Value& value)
-  {
-    std::memcpy(&value, this->Next, sizeof(value));
-    this->Next += sizeof(value);
-  }
-};
-
-vtkSmartPointer<vtkDataObject> Unpacker::Unpack()
-{
-  Form form = Form::Nothing;
-  this->Take(form);
-  switch (form)
-  {
-    case Form::Tree:
-      return this->UnpackTree();
-    case Form::Image:
-      return this->UnpackImage();
-    case Form::Other:
-      return this->UnpackLeaf();
-    default:
-      return nullptr;
-  }
-}
-
-vtkSmartPointer<vtkDataObject> Unpacker::UnpackTree()
-{
-  int type = 0;
-  unsigned int count = 0;
-  this->Take(type);
-  this->Take(count);
-  const auto object = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(type));
-  auto* tree = vtkDataObjectTree::SafeDownCast(object);
-  for (unsigned int child = 0; child < count; ++child)
-  {
-    std::size_t length = 0;
-    this->Take(length);
-    const std::string name(this->Next, length);
-    this->Next += length;
-    SetChild(tree, child, this->Unpack(), name);
-  }
-  return object;
-}
-
-vtkSmartPointer<vtkDataObject> Unpacker::UnpackImage()
+void PackAxes(vtkImageData* image, ByteWriter& bytes)
 {
   ImageAxes axes;
-  this->Take(axes.Extent);
-  this->Take(axes.Origin);
-  this->Take(axes.Spacing);
-  this->Take(axes.Direction);
-  const auto leaf = this->UnpackLeaf();
+  image->GetExtent(axes.Extent.data());
+  image->GetOrigin(axes.Origin.data());
+  image->GetSpacing(axes.Spacing.data());
+  std::copy_n(image->GetDirectionMatrix()->GetData(), axes.Direction.size(), axes.Direction.data());
+  bytes.Put(axes.Extent);
+  bytes.Put(axes.Origin);
+  bytes.Put(axes.Spacing);
+  bytes.Put(axes.Direction);
+}
+
+// Makes bytes of a dataset or a tree of datasets; false where `piece`, which may be null, is of
+// another kind. Nothing is lost: names of blocks, extents and axes of images come back bit for bit.
+// Equal data make equal bytes.
+bool Pack(vtkDataObject* piece, ByteWriter& bytes)
+{
+  auto* tree = vtkDataObjectTree::SafeDownCast(piece);
+  auto* image = vtkImageData::SafeDownCast(piece);
+  bytes.Put(!piece ? Form::Nothing : tree ? Form::Tree : image ? Form::Image : Form::Other);
+  if (!piece)
+  {
+    return true;
+  }
+  if (image)
+  {
+    PackAxes(image, bytes);
+  }
+  if (!tree)
+  {
+    return vtkDataSet::SafeDownCast(piece) && PackLeaf(piece, bytes);
+  }
+  const unsigned int count = NumberOfChildren(tree);
+  bytes.Put(tree->GetDataObjectType());
+  bytes.Put(count);
+  bool isPacked = true;
+  for (unsigned int child = 0; child < count && isPacked; ++child)
+  {
+    const std::string name = NameOfChild(tree, child);
+    bytes.PutAll(name.begin(), name.end());
+    isPacked = Pack(ChildOf(tree, child), bytes);
+  }
+  return isPacked;
+}
+
+vtkSmartPointer<vtkDataObject> UnpackLeaf(ByteReader& bytes)
+{
+  std::vector<char> values;
+  bytes.Take(values);
+  vtkNew<vtkCharArray> message;
+  message->SetArray(values.data(), static_cast<vtkIdType>(values.size()), 1);
+  return vtkCommunicator::UnMarshalDataObject(message);
+}
+
+vtkSmartPointer<vtkDataObject> UnpackImage(ByteReader& bytes)
+{
+  ImageAxes axes;
+  bytes.Take(axes.Extent);
+  bytes.Take(axes.Origin);
+  bytes.Take(axes.Spacing);
+  bytes.Take(axes.Direction);
+  const auto leaf = UnpackLeaf(bytes);
   if (auto* image = vtkImageData::SafeDownCast(leaf))
   {
-    image->SetExtent(axes.Extent);
-    image->SetOrigin(axes.Origin);
-    image->SetSpacing(axes.Spacing);
-    image->SetDirectionMatrix(axes.Direction);
+    image->SetExtent(axes.Extent.data());
+    image->SetOrigin(axes.Origin.data());
+    image->SetSpacing(axes.Spacing.data());
+    image->SetDirectionMatrix(axes.Direction.data());
   }
   return leaf;
 }
 
-vtkSmartPointer<vtkDataObject> Unpacker::UnpackLeaf()
+vtkSmartPointer<vtkDataObject> Unpack(ByteReader& bytes)
 {
-  std::size_t length = 0;
-  this->Take(length);
-  vtkNew<vtkCharArray> message;
-  message->SetNumberOfValues(static_cast<vtkIdType>(length));
-  std::memcpy(message->GetPointer(0), this->Next, length);
-  this->Next += length;
-  return vtkCommunicator::UnMarshalDataObject(message);
+  Form form = Form::Nothing;
+  bytes.Take(form);
+  if (form != Form::Tree)
+  {
+    return form == Form::Nothing ? nullptr
+      : form == Form::Image      ? UnpackImage(bytes)
+                                 : UnpackLeaf(bytes);
+  }
+  int type = 0;
+  unsigned int count = 0;
+  bytes.Take(type);
+  bytes.Take(count);
+  const auto object = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(type));
+  auto* tree = vtkDataObjectTree::SafeDownCast(object);
+  for (unsigned int child = 0; child < count; ++child)
+  {
+    std::vector<char> name;
+    bytes.Take(name);
+    SetChild(tree, child, Unpack(bytes), std::string(name.begin(), name.end()));
+  }
+  return object;
 }
 
 vtkInformation* RequestedOutput(vtkInformation* request, vtkInformationVector* outputs)
@@ -240,19 +178,6 @@ vtkInformation* RequestedOutput(vtkInformation* request, vtkInformationVector* o
     ? request->Get(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT())
     : 0;
   return outputs->GetInformationObject(port < 0 ? 0 : port);
-}
-
-// False where it is of a kind that cannot be sent, or memory does not suffice.
-bool Pack(vtkDataObject* piece, std::vector<char>& bytes)
-{
-  try
-  {
-    return Packer{ bytes }.Pack(piece);
-  }
-  catch (const std::bad_alloc&)
-  {
-    return false;
-  }
 }
 
 void DescribeArrays(vtkDataObject* output, int association, vtkMultiProcessStream& stream)
@@ -294,16 +219,18 @@ void DescribeFieldData(vtkDataObject* output, vtkMultiProcessStream& stream)
 {
   vtkNew<vtkPolyData> empty;
   empty->SetFieldData(output->GetFieldData());
-  std::vector<char> bytes;
-  Packer{ bytes }.Pack(empty);
-  stream << std::string(bytes.begin(), bytes.end());
+  ByteWriter packed;
+  Pack(empty, packed);
+  stream << std::string(packed.Bytes.begin(), packed.Bytes.end());
 }
 
 void MakeFieldData(vtkDataObject* output, vtkMultiProcessStream& stream)
 {
-  std::string bytes;
-  stream >> bytes;
-  const auto empty = Unpacker{ bytes.data() }.Unpack();
+  std::string text;
+  stream >> text;
+  const std::vector<char> bytes(text.begin(), text.end());
+  ByteReader packed(bytes);
+  const auto empty = Unpack(packed);
   if (empty)
   {
     output->SetFieldData(empty->GetFieldData());
@@ -390,8 +317,17 @@ void Ranks::AskForOwn(vtkInformation* input) const
 
 GatheredBytes Ranks::Gather(vtkDataObject* piece) const
 {
-  std::vector<char> bytes;
-  const bool isPacked = Pack(piece, bytes);
+  ByteWriter packed;
+  bool isPacked = false;
+  try
+  {
+    isPacked = Pack(piece, packed);
+  }
+  catch (const std::bad_alloc&)
+  {
+    packed.Bytes.clear();
+  }
+  const std::vector<char>& bytes = packed.Bytes;
   GatheredBytes gathered;
   const auto length = static_cast<vtkIdType>(bytes.size());
   gathered.IsComplete = this->CanReceive(isPacked, length, gathered);
@@ -586,7 +522,8 @@ vtkSmartPointer<vtkDataObject> WholeInput::Make() const
     }
     if (!isRepeated)
     {
-      pieces.push_back(Unpacker{ bytes + offsets[rank] }.Unpack());
+      ByteReader packed(this->Gathered.Bytes, static_cast<std::size_t>(offsets[rank]));
+      pieces.push_back(Unpack(packed));
     }
   }
   return WholeFromPieces(pieces);

@@ -32,6 +32,14 @@ public:
     this->PutBytes(values.data(), values.size() * sizeof(Value));
   }
 
+  /// Bytes as Take reads a list of them.
+  template <typename Iterator>
+  void PutAll(Iterator first, Iterator last)
+  {
+    this->Put(static_cast<std::uint64_t>(last - first));
+    this->Bytes.insert(this->Bytes.end(), first, last);
+  }
+
   std::vector<char> Bytes;
 
 private:
@@ -47,8 +55,9 @@ private:
 class ByteReader
 {
 public:
-  explicit ByteReader(const std::vector<char>& bytes)
+  explicit ByteReader(const std::vector<char>& bytes, std::size_t first = 0)
     : Bytes(bytes)
+    , Next(first)
   {
   }
 
@@ -87,7 +96,7 @@ private:
   }
 
   const std::vector<char>& Bytes;
-  std::size_t Next = 0;
+  std::size_t Next;
   bool IsSound = true;
 };
 

@@ -93,10 +93,8 @@ struct HalfEdgeMesh
   }
 
   /// Flips the edge opposite corner 0, which becomes corner 0 of both triangles: (p, a, b) and
-  /// (d, b, a) turn into (p, a, d) and (p, d, b). link(edge, twin) makes twins; the twin may be
-  /// what stands in Twins where there is none. Marks and VertexEdges do not follow.
-  template <typename LinkTwins>
-  void FlipAround(Id edge, const LinkTwins& link)
+  /// (d, b, a) turn into (p, a, d) and (p, d, b). Marks and VertexEdges do not follow.
+  void FlipAround(Id edge)
   {
     const Id twin = this->Twins[edge];
     const Id other = FirstEdge(TriangleOf(twin));
@@ -107,10 +105,10 @@ struct HalfEdgeMesh
     const Id ahead = this->Twins[edge + 1];
     this->Corners[edge + 2] = d;
     this->SetTriangle(TriangleOf(twin), this->Corners[edge], d, b);
-    link(edge, beyondAd);
-    link(other, beyondDb);
-    link(other + 1, ahead);
-    link(edge + 1, other + 2);
+    this->Link(edge, beyondAd);
+    this->Link(other, beyondDb);
+    this->Link(other + 1, ahead);
+    this->Link(edge + 1, other + 2);
   }
 
   /// Divides the triangle into three by a vertex, which becomes corner 0 of each. The triangle

@@ -64,7 +64,7 @@ public:
     this->Mesh.Split(location.Triangle, vertex);
     if (location.Edge != NoId)
     {
-      this->FlipAround(
+      this->Mesh.FlipAround(
         HalfEdgeMesh::FirstEdge(this->CornerTriangle(location.Triangle, location.Edge)));
     }
     if (this->Phi < 1.0)
@@ -143,11 +143,6 @@ private:
     return corner == 0 ? triangle : this->Mesh.NumberOfTriangles - 3 + corner;
   }
 
-  void FlipAround(Id edge)
-  {
-    this->Mesh.FlipAround(edge, [this](Id one, Id twin) { this->Mesh.Link(one, twin); });
-  }
-
   /// Goes once around the new vertex, corner 0 of all its triangles, and flips what its star may
   /// eat.
   void RestoreStar(Id triangle)
@@ -160,7 +155,7 @@ private:
       const Id opposite = corners[this->Mesh.Twins[edge]];
       if (BreaksDelaunay(this->Mesh, corners[edge], corners[edge + 1], corners[edge + 2], opposite))
       {
-        this->FlipAround(edge);
+        this->Mesh.FlipAround(edge);
         continue;
       }
       if (corners[edge + 2] == end)

@@ -4,11 +4,13 @@
 #include "SpatialOrder.h"
 
 #include "../Base/Box.h"
+#include "../Base/SortInSteps.h"
 
-#include <algorithm> // for sort, min
-#include <array>     // for tables
-#include <cstddef>   // for size_t
-#include <cstdint>   // for keys
+#include <algorithm>  // for max, min
+#include <array>      // for cells
+#include <cstddef>    // for size_t
+#include <cstdint>    // for keys
+#include <functional> // for less
 
 namespace biting
 {
@@ -37,9 +39,6 @@ constexpr double LastCell = D == 2 ? 65535.0 : 1023.0;
 /// Runs no longer than this stay in any order: a walk across them is as short.
 constexpr std::size_t LeastRun = 4;
 
-/// Below this many keys a comparison sort is faster than clearing the counters of a radix sort.
-constexpr std::size_t LeastRadixSort = 4096;
-
 /// Rounds begin with at least this many points.
 constexpr std::size_t LeastRound = 64;
 
@@ -49,66 +48,12 @@ constexpr double BoxEnd = 0.1;
 constexpr double KeysEnd = 0.4;
 constexpr double SortEnd = 0.8;
 
-/// Position on the Hilbert curve, four levels at a time. The curve of a cell is the basic one with
-/// both axes reversed and/or exchanged; `state` has one bit for each. The two commute.
-constexpr int ReverseBit = 1;
-constexpr int ExchangeBit = 2;
-using HilbertTable = std::array<std::uint16_t, 4 * 256>;
-
-/// One level: the digit (0..3) of the quadrant (x, y) in `state`, which becomes that of the
-/// quadrant.
-constexpr int HilbertDigit(int x, int y, int& state)
+/// Place on the Hilbert curve: level by level the cells are turned as the curve turns; then it is
+/// the Gray code whose bits the axes share (J. Skilling, "Programming the Hilbert curve", 2004).
+template <std::size_t D>
+std::uint32_t HilbertPlace(std::array<std::uint32_t, D> cell)
 {
-  const int reverse = state & ReverseBit;
-  const bool isExchanged = (state & ExchangeBit) != 0;
-  const int u = (isExchanged ? y : x) ^ reverse;
-  const int v = (isExchanged ? x : y) ^ reverse;
-  if (v == 0)
-  {
-    state ^= ExchangeBit | (u != 0 ? ReverseBit : 0);
-  }
-  return (3 * u) ^ v;
-}
-
-/// Entry 256 s + 16 x + y: eight bits of the place of the cell (x, y) in state s, and the state
-/// there.
-constexpr HilbertTable MakeHilbertTable()
-{
-  HilbertTable table{};
-  for (int entry = 0; entry < 4 * 256; ++entry)
-  {
-    int state = entry >> 8;
-    int place = 0;
-    for (int bit = 3; bit >= 0; --bit)
-    {
-      place = 4 * place + HilbertDigit((entry >> (4 + bit)) & 1, (entry >> bit) & 1, state);
-    }
-    table[entry] = static_cast<std::uint16_t>(256 * state + place);
-  }
-  return table;
-}
-
-constexpr HilbertTable Hilbert = MakeHilbertTable();
-
-std::uint32_t HilbertPlace(const std::array<std::uint32_t, 2>& cell)
-{
-  std::uint32_t place = 0;
-  unsigned state = 0;
-  for (int shift = 12; shift >= 0; shift -= 4)
-  {
-    const unsigned entry =
-      Hilbert[(state << 8) + (((cell[0] >> shift) & 15u) << 4) + ((cell[1] >> shift) & 15u)];
-    place = (place << 8) + (entry & 255u);
-    state = entry >> 8;
-  }
-  return place;
-}
-
-/// In space: level by level the cells are turned as the curve turns; then the place is the Gray
-/// code whose bits the axes share (J. Skilling, "Programming the Hilbert curve", 2004).
-std::uint32_t HilbertPlace(std::array<std::uint32_t, 3> cell)
-{
-  constexpr std::uint32_t TopBit = 1u << 9;
+  constexpr std::uint32_t TopBit = (static_cast<std::uint32_t>(LastCell<D>) + 1) / 2;
   for (std::uint32_t bit = TopBit; bit > 1; bit >>= 1)
   {
     for (std::uint32_t& x : cell)
@@ -119,12 +64,14 @@ std::uint32_t HilbertPlace(std::array<std::uint32_t, 3> cell)
       x ^= exchanged;
     }
   }
-  cell[1] ^= cell[0];
-  cell[2] ^= cell[1];
+  for (std::size_t d = 1; d < D; ++d)
+  {
+    cell[d] ^= cell[d - 1];
+  }
   std::uint32_t turned = 0;
   for (std::uint32_t bit = TopBit; bit > 1; bit >>= 1)
   {
-    turned ^= (cell[2] & bit) != 0 ? bit - 1 : 0;
+    turned ^= (cell[D - 1] & bit) != 0 ? bit - 1 : 0;
   }
   std::uint32_t place = 0;
   for (std::uint32_t bit = TopBit; bit > 0; bit >>= 1)
@@ -194,30 +141,6 @@ std::vector<Run> SplitIntoRounds(std::vector<Id>& order, Pulse& pulse)
   return rounds;
 }
 
-/// Sorts `keys` by their upper half, stably, in three passes of 11 bits.
-void RadixSort(std::vector<Key>& keys, std::vector<Key>& other, Pulse& pulse)
-{
-  constexpr int digitBits = 11;
-  constexpr std::size_t digits = std::size_t(1) << digitBits;
-  other.resize(keys.size());
-  for (int shift = IndexBits; shift < 64; shift += digitBits)
-  {
-    const PulsePart part(pulse, (shift - IndexBits) / 33.0, (shift - IndexBits + digitBits) / 33.0);
-    std::array<std::size_t, digits + 1> begins{};
-    pulse.ForEach(keys.size(),
-      [&keys, &begins, shift](std::size_t i)
-      { ++begins[((keys[i] >> shift) & (digits - 1)) + 1]; });
-    for (std::size_t d = 1; d < digits; ++d)
-    {
-      begins[d] += begins[d - 1];
-    }
-    pulse.ForEach(keys.size(),
-      [&keys, &other, &begins, shift](std::size_t i)
-      { other[begins[(keys[i] >> shift) & (digits - 1)]++] = keys[i]; });
-    keys.swap(other);
-  }
-}
-
 /// Sorts runs along the curve; where many points share its last cell the run is sorted again,
 /// relative to the box of its own points.
 template <std::size_t D>
@@ -240,7 +163,7 @@ public:
       this->Pending.pop_back();
       if (this->MakeKeys(run))
       {
-        this->SortKeys();
+        SortInSteps(this->Keys, std::less<>(), this->Beats);
         this->WriteBack(run);
       }
     }
@@ -280,19 +203,6 @@ private:
     return box;
   }
 
-  void SortKeys()
-  {
-    if (this->Keys.size() < LeastRadixSort)
-    {
-      std::sort(this->Keys.begin(), this->Keys.end());
-    }
-    else
-    {
-      const PulsePart part(this->Beats, KeysEnd, SortEnd);
-      RadixSort(this->Keys, this->Scratch, this->Beats);
-    }
-  }
-
   void WriteBack(const Run& run)
   {
     const PulsePart part(this->Beats, SortEnd, 1.0);
@@ -330,7 +240,6 @@ private:
   Pulse& Beats;
   std::vector<Run> Pending;
   std::vector<Key> Keys;
-  std::vector<Key> Scratch;
 };
 
 } // namespace

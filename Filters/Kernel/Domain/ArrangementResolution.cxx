@@ -181,7 +181,8 @@ bool ResolutionReport::RefuseCrowd(const Meetings& found)
 {
   std::ostringstream count;
   count.precision(2);
-  count << "one of about " << found.AboutHowMany << " crossings or more";
+  count << "one of more than " << static_cast<double>(found.Splits.size() + found.Crossings.size())
+        << " crossings";
   this->RememberLast(found);
   this->FirstDefect = this->LastDefect;
   this->FirstDefect.Detail = count.str();

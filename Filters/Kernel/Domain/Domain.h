@@ -103,10 +103,10 @@ struct DomainOptions
   /// The spacing that was asked for at a place. Called only where ends are open. Empty: zero.
   std::function<double(const Point2&)> GivenSpacing;
 
-  /// With more pairs of segments that cross, the input is refused with ProblemCode::NotResolved, as
-  /// memory for them would be wasted: 100 bytes each. The mesh would have as many vertices. So is
+  /// With more pairs of segments that cross, the input is refused with ProblemCode::NotResolved:
+  /// they cost time and 100 bytes each, and the mesh would have as many vertices. So is
   /// one of which very many segments lie along one line: 1400 that all overlap are too many.
-  std::int64_t MaximumNumberOfCrossings = 20000000;
+  std::int64_t MaximumNumberOfCrossings = 5000000;
 };
 
 /// Makes the domain of `input`: weld points that are equal or too near to be told apart, resolve

@@ -6,7 +6,6 @@
 #include "../Base/SortInSteps.h"
 #include "../Base/Tasks.h"
 #include "../Predicates/Predicates.h"
-#include "CrossingEstimate.h"
 #include "SegmentTree.h"
 #include "VertexStars.h"
 
@@ -153,7 +152,6 @@ public:
   {
   }
 
-  bool HasRoomForCrossings();
   void TestEdges();
   void TestStars();
   void TestLooseVertices();
@@ -193,21 +191,6 @@ private:
   const FiledEdges& Edges;
   MeetingReporter News;
 };
-
-/// Looks at some edges first, so that a drawing of far too many crossings is refused soon.
-bool MeetingFinder::HasRoomForCrossings()
-{
-  const CrossingEstimate estimate = EstimateCrossingsAbove(
-    this->Most, this->Input.Vertices, this->Edges.Ends, this->Edges.Tree, this->Beats);
-  if (estimate.Count == 0.0)
-  {
-    return true;
-  }
-  this->Found.AreTooMany = true;
-  this->Found.AboutHowMany = estimate.Count;
-  this->Found.Crossings.push_back({ estimate.First, estimate.Second });
-  return false;
-}
 
 void MeetingFinder::TestEdges()
 {
@@ -274,7 +257,6 @@ bool MeetingFinder::GoesOn()
 {
   Meetings& found = this->Found;
   found.AreTooMany = found.Splits.size() > this->MostSplits || found.Crossings.size() > this->Most;
-  found.AboutHowMany = static_cast<double>(std::max(found.Splits.size(), found.Crossings.size()));
   return !found.AreTooMany && this->Beats.Beat();
 }
 
@@ -506,10 +488,6 @@ bool FindMeetings(
   meetings = Meetings();
   const FiledEdges edges(arrangement, pulse);
   MeetingFinder finder(arrangement, edges, most, meetings, pulse);
-  if (!finder.HasRoomForCrossings())
-  {
-    return true;
-  }
   {
     PulsePart testing(pulse, ShareOfPreparing, ShareOfPreparing + ShareOfTesting);
     finder.TestEdges();

@@ -46,8 +46,7 @@ struct Meetings
   std::vector<EdgeSplit> Splits;
   std::vector<EdgeCrossing> Crossings;
   std::vector<MeetingReport> Reports;
-  bool AreTooMany = false;   ///< the search was given up
-  double AboutHowMany = 0.0; ///< where there are too many
+  bool AreTooMany = false; ///< the search was given up
 
   bool IsEmpty() const { return this->Splits.empty() && this->Crossings.empty(); }
 };

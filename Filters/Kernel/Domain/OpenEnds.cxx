@@ -4,11 +4,10 @@
 #include "OpenEnds.h"
 
 #include "../Base/Box.h"
-#include "CrossingEstimate.h"
 #include "EndSurroundings.h"
 #include "VertexGrid.h"
 
-#include <algorithm> // for binary_search, max, min, remove_if, sort
+#include <algorithm> // for max, min, remove_if, sort
 #include <map>       // for the feet of a segment
 #include <tuple>     // for orders
 #include <utility>   // for pair, move
@@ -370,25 +369,6 @@ void EndJoiner::Renumber()
     { return std::tie(a.Place, a.Along) < std::tie(b.Place, b.Along); });
 }
 
-/// Whether the segments with open ends alone cross more often than `most`, also where each joined
-/// end removes a crossing. The drawing is refused then, and each end may have all segments near it.
-bool CrossTooOften(const std::vector<ChainSegment>& segments, const std::vector<Id>& ends,
-  std::size_t most, const WeldedPoints& points, Pulse& pulse)
-{
-  std::vector<SegmentEnds> open;
-  for (const ChainSegment& segment : segments)
-  {
-    const auto isEnd = [&ends](Id v) { return std::binary_search(ends.begin(), ends.end(), v); };
-    if (isEnd(segment.Ends.Start) || isEnd(segment.Ends.End))
-    {
-      open.push_back(segment.Ends);
-    }
-  }
-  const SegmentTree tree(points.Vertices, open, 0.0, pulse);
-  most += ends.size();
-  return EstimateCrossingsAbove(most, points.Vertices, open, tree, pulse).Count > 0.0;
-}
-
 } // namespace
 
 SpacingAtEnds::SpacingAtEnds(const DomainOptions& options, const std::vector<Point2>& vertices)
@@ -408,9 +388,7 @@ std::vector<SegmentFoot> JoinOpenEnds(const Polylines& input, const DomainOption
 {
   std::vector<ChainSegment> segments = SegmentsOf(input, points, pulse);
   std::vector<Id> ends = FindOpenEnds(segments, points.Vertices.size());
-  const auto most =
-    static_cast<std::size_t>(std::max<std::int64_t>(options.MaximumNumberOfCrossings, 0));
-  return ends.empty() || CrossTooOften(segments, ends, most, points, pulse)
+  return ends.empty()
     ? std::vector<SegmentFoot>()
     : EndJoiner(std::move(segments), options, std::move(ends), points, pulse).Run(problems);
 }

@@ -46,7 +46,6 @@ struct SegmentFoot
 /// - What an end hangs on within its reach is nothing to join it with: it would close on itself.
 /// - What ends are joined with stays where it is. No end moves further than twice its reach.
 /// - An end that lies on a segment but for the rounding of vertices stays.
-/// - None is joined where their segments alone cross more often than is allowed.
 ///
 /// Each end that moves is a problem of kind JoinedEnds, those that move most first. Vertices are
 /// then numbered by their places again. Returns the vertices that divide segments, along these.
