@@ -580,13 +580,12 @@ void GradeSizes(SurfaceGround& ground, double gradation, Pulse& pulse)
 {
   using Entry = std::pair<double, Id>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
-  const auto lower = [&ground, &front, gradation](Id from, Id other)
+  const double slope = gradation > 0.0 ? gradation : 0.3;
+  const std::vector<Point3>& points = ground.Mesh.Points;
+  const auto lower = [&ground, &front, &points, slope](Id from, Id other)
   {
-    const Point3& place = ground.Mesh.Points[At(from)];
-    const double own = ground.Sizes[At(from)];
-    const double size = own < ground.Sizes[At(other)]
-      ? own + gradation * Distance(ground.Mesh.Points[At(other)], place)
-      : own;
+    const double size =
+      ground.Sizes[At(from)] + slope * Distance(points[At(other)], points[At(from)]);
     if (size < ground.Sizes[At(other)])
     {
       ground.Sizes[At(other)] = size;
@@ -596,8 +595,10 @@ void GradeSizes(SurfaceGround& ground, double gradation, Pulse& pulse)
   const std::vector<Id>& corners = ground.Mesh.Corners;
   for (std::size_t slot = 0; slot < corners.size() && pulse.Beat(1); ++slot)
   {
-    lower(corners[slot], corners[NextSlotOf(slot)]);
-    lower(corners[slot], corners[PreviousSlotOf(slot)]);
+    const Id vertex = corners[slot];
+    const bool isCapped = ground.Sizes[At(vertex)] < ground.Given[At(vertex)];
+    lower(vertex, gradation > 0.0 || isCapped ? corners[NextSlotOf(slot)] : vertex);
+    lower(vertex, gradation > 0.0 || isCapped ? corners[PreviousSlotOf(slot)] : vertex);
   }
   while (!front.empty() && pulse.Beat())
   {

@@ -31,7 +31,8 @@ void CapByFeatures(SurfaceGround& ground, Pulse& pulse);
 void CapByCurvature(
   SurfaceGround& ground, const SurfaceMesh& input, double tolerance, Pulse& pulse);
 
-/// Lowers f until it grows by no more than `gradation` along the edges of the ground.
+/// Lowers f until it grows by no more than `gradation` along the edges of the ground; 0: by no more
+/// than 0.3 from where it is capped.
 void GradeSizes(SurfaceGround& ground, double gradation, Pulse& pulse);
 
 } // namespace biting

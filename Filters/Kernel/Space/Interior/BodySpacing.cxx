@@ -31,8 +31,8 @@ std::function<double(const Point3&)> BodySpacing(const std::function<double(cons
     return given;
   }
   PulseMonitor monitor(pulse);
-  const auto tree =
-    std::make_shared<const ConeTree<3>>(cones, gradation, bounds, Infinity, monitor);
+  const double slope = gradation > 0.0 ? gradation : 0.3;
+  const auto tree = std::make_shared<const ConeTree<3>>(cones, slope, bounds, Infinity, monitor);
   if (pulse.HasStopped())
   {
     return given;

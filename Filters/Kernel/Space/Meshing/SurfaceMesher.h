@@ -24,7 +24,7 @@ struct SurfaceMesherOptions
   /// diagonal of the surface. Any number of threads may call it at once.
   std::function<double(const Point3&)> Spacing;
 
-  /// The slope of f along the surface from where a cap lowers it. The given f is not graded.
+  /// The slope of f along the surface from where a cap lowers it; 0: 0.3. What is given stays so.
   double Gradation = 0.3;
 
   /// True: f is capped by the thickness inside and outside, and by the distance between features;

@@ -496,6 +496,7 @@ TEST(BodySpacing, GrowsFromLoweredVertices)
   Pulse pulse(NoMonitor());
   constexpr double Gradation = 0.3;
   const auto spacing = BodySpacing(given, centers, sizes, Gradation, pulse);
+  const auto ungraded = BodySpacing(given, centers, sizes, 0.0, pulse); // the given f is
   for (int k = 0; k < 2000; ++k)
   {
     const Point3 x{ dice.Between(0.1, 0.9), dice.Between(0.1, 0.9), dice.Between(0.1, 0.9) };
@@ -506,6 +507,7 @@ TEST(BodySpacing, GrowsFromLoweredVertices)
     }
     EXPECT_GE(spacing(x), 0.999999 * least);
     EXPECT_LE(spacing(x), std::min(given(x), 1.02 * least));
+    EXPECT_EQ(ungraded(x), spacing(x));
   }
 }
 

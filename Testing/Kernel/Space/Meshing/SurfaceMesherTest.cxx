@@ -448,6 +448,26 @@ TEST(SurfaceMesher, MeshesASphereWithGoodTriangles)
   EXPECT_LT(*std::max_element(deviations.begin(), deviations.end()), 0.1);
 }
 
+TEST(SurfaceMesher, TakesASpacingThatJumpsAsItIsWhereTheGradationIsZero)
+{
+  SurfaceMesherOptions options;
+  options.Gradation = 0.0;
+  options.Spacing = [](const Point3& p) { return p.X < 1.0 ? 0.1 : 0.3; };
+  const Meshed meshed = MakeMesh(BoxOf({ 3.0, 1.0, 1.0 }), options);
+  EXPECT_TRUE(meshed.Problems.Groups().empty());
+  const auto count = [&meshed](double low, double high)
+  {
+    long inside = 0;
+    for (std::size_t slot = 0; slot < meshed.Mesh.Corners.size(); ++slot)
+    {
+      const double x = meshed.At(slot).X;
+      inside += low < x && x < high ? 1 : 0;
+    }
+    return inside;
+  };
+  EXPECT_GT(count(0.2, 0.8), 6 * count(2.2, 2.8));
+}
+
 TEST(SurfaceMesher, BitesCoverTheSurfaceAndHaveNoEarlierCentre)
 {
   SurfaceMesherOptions options = Uniform(0.2);
