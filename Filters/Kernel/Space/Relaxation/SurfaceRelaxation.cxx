@@ -440,17 +440,14 @@ private:
       this->Trials[slot];
   }
 
-  /// How much better the numbers of triangles at the four vertices are after a flip.
+  /// By how much the sum of the squares of what the numbers of triangles are off at the four
+  /// vertices is less after a flip: e^2 - (e - 1)^2 = 2 e - 1, e^2 - (e + 1)^2 = -2 e - 1.
   Id GainOfDegrees(const std::array<Id, 4>& vertices) const
   {
     const auto [a, b, c, d] = vertices;
-    const auto off = [this](Id vertex, Id change)
-    {
-      const Id excess = this->Stars.Degree(vertex) + change - this->Ideal[At(vertex)];
-      return excess * excess;
-    };
-    return off(a, 0) + off(b, 0) + off(c, 0) + off(d, 0) - off(a, 1) - off(b, -1) - off(c, -1) -
-      off(d, 1);
+    const auto excess = [this](Id vertex)
+    { return this->Stars.Degree(vertex) - this->Ideal[At(vertex)]; };
+    return 2 * (excess(b) + excess(c) - excess(a) - excess(d)) - 4;
   }
 
   bool TryFlip(std::size_t slot, bool byDegrees)
