@@ -55,7 +55,7 @@ def graded(folder):
 
 
 def crossing_bodies():
-    """A plate, a bar through it and a ball in its rim: as given with the crossings, and the union."""
+    """A plate, a bar through it, a ball that sticks out of it: as given with crossings, and united."""
     plate = Box(XLength=5, YLength=3, ZLength=0.8)
     bar = Transform(Input=Cylinder(Radius=0.6, Height=4, Resolution=48))
     bar.Transform.Rotate, bar.Transform.Translate = [90, 0, 0], [-0.9, 0, 0]
