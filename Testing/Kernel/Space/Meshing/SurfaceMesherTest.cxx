@@ -248,6 +248,17 @@ Soup Prism(const std::vector<std::array<double, 2>>& polygon, const Point3& midd
 
 } // namespace
 
+TEST(SurfaceMesher, TellsWhereFacetsAreFarFromTheSurface)
+{
+  SurfaceMesherOptions options = Uniform(0.3);
+  options.FeatureAngle = 180.0; // edges of a cube are cut off
+  const Soup cube =
+    Prism({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } }, { 0.5, 0.5, 0.0 });
+  const Meshed meshed = MakeMesh(cube, options);
+  EXPECT_FALSE(meshed.Problems.HasErrors());
+  EXPECT_TRUE(meshed.Problems.Has(ProblemCode::LostFeatures));
+}
+
 TEST(SurfaceMesher, StaysWithinTheToleranceWhereTheSurfaceCurves)
 {
   const std::vector<Soup> bodies{ Turned(
