@@ -254,13 +254,6 @@ private:
   std::map<Id, std::vector<std::size_t>> ChainsAt;
 };
 
-using VertexPair = std::pair<Id, Id>;
-
-VertexPair PairOf(Id a, Id b)
-{
-  return { std::min(a, b), std::max(a, b) };
-}
-
 std::vector<Id> NoisyChains(const SurfaceGround& ground)
 {
   const FeatureChains& chains = ground.Chains;
@@ -288,19 +281,19 @@ std::vector<Id> NoisyChains(const SurfaceGround& ground)
 /// Of the edges of chains; finds the others anew.
 void ClearFlags(SurfaceGround& ground, const std::vector<Id>& chains)
 {
-  std::vector<VertexPair> edges;
+  std::vector<std::pair<Id, Id>> edges;
   for (const Id chain : chains)
   {
     for (Id k = ground.Chains.Begin(chain) + 1; k < ground.Chains.End(chain); ++k)
     {
-      edges.push_back(PairOf(ground.Chains.At(k - 1), ground.Chains.At(k)));
+      edges.push_back(std::minmax({ ground.Chains.At(k - 1), ground.Chains.At(k) }));
     }
   }
   std::sort(edges.begin(), edges.end());
   for (std::size_t slot = 0; slot < ground.Flags.size(); ++slot)
   {
-    const VertexPair pair =
-      PairOf(ground.Mesh.Corners[NextSlotOf(slot)], ground.Mesh.Corners[PreviousSlotOf(slot)]);
+    const std::pair<Id, Id> pair =
+      std::minmax(ground.Mesh.Corners[NextSlotOf(slot)], ground.Mesh.Corners[PreviousSlotOf(slot)]);
     if (ground.Flags[slot] != 0 && std::binary_search(edges.begin(), edges.end(), pair))
     {
       ground.Flags[slot] = 0;

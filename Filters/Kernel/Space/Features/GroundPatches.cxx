@@ -3,6 +3,7 @@
 
 #include "GroundPatches.h"
 
+#include "../../Base/DisjointSets.h"
 #include "../Surface/NearestOnTriangle.h"
 
 #include <algorithm> // for find_first_of, min
@@ -36,31 +37,19 @@ std::size_t CornerAway(const std::array<Point3, 3>& t, const Point3& place)
 
 GroundPatches::GroundPatches(const SurfaceGround& ground)
   : Ground(ground)
-  , Patches(ground.Mesh.NumberOfTriangles(), NoId)
+  , Patches(ground.Mesh.NumberOfTriangles())
 {
-  std::vector<Id> front;
+  DisjointSets sets(this->Patches.size());
+  for (std::size_t slot = 0; slot < ground.Across.size(); ++slot)
+  {
+    if (ground.Across[slot] != NoId)
+    {
+      sets.Unite(static_cast<Id>(slot / 3), ground.Across[slot] / 3);
+    }
+  }
   for (std::size_t t = 0; t < this->Patches.size(); ++t)
   {
-    if (this->Patches[t] != NoId)
-    {
-      continue;
-    }
-    this->Patches[t] = static_cast<Id>(t);
-    front.assign(1, static_cast<Id>(t));
-    while (!front.empty())
-    {
-      const std::size_t base = 3 * At(front.back());
-      front.pop_back();
-      for (std::size_t slot = base; slot < base + 3; ++slot)
-      {
-        const Id across = ground.Across[slot];
-        if (across != NoId && this->Patches[At(across / 3)] == NoId)
-        {
-          this->Patches[At(across / 3)] = static_cast<Id>(t);
-          front.push_back(across / 3);
-        }
-      }
-    }
+    this->Patches[t] = sets.SetOf(static_cast<Id>(t));
   }
 }
 

@@ -214,17 +214,6 @@ private:
   std::vector<Id> Seen;
 };
 
-/// Of triangles of the input, one of the pieces.
-std::vector<Id> PieceOfEach(const SurfaceGround& ground)
-{
-  std::vector<Id> pieces(ground.Normals.size(), NoId);
-  for (std::size_t t = 0; t < ground.Mesh.NumberOfTriangles(); ++t)
-  {
-    pieces[At(ground.Mesh.Cells[t])] = static_cast<Id>(t);
-  }
-  return pieces;
-}
-
 /// The piece of a wall that a ball of the diameter touches at `place`: f grows from there. What is
 /// steeper than any gradation is left to later rounds, when the wall is divided there. `piece`:
 /// another one of the wall, then this.
@@ -450,6 +439,57 @@ private:
   std::vector<Id> Turned;
 };
 
+/// Of the edge of the slot, in the ball.
+double LengthWithin(const SurfaceMesh& mesh, std::size_t slot, const Point3& center, double radius)
+{
+  const Point3 tail = mesh.At(NextSlotOf(slot)) - center;
+  const Point3 side = mesh.At(PreviousSlotOf(slot)) - center - tail;
+  const double length = Length(side);
+  const double foot = -Dot(tail, side) / length; // along the edge, of the centre
+  const double half = std::sqrt(std::max(0.0, radius * radius - Dot(tail, tail) + foot * foot));
+  return std::max(0.0, std::min(length, foot + half) - std::max(0.0, foot - half));
+}
+
+/// The turn of the surface in the ball about a vertex, in radians: of edges that are no features,
+/// integrated along them, over the ball's diameter. Convex and concave turns cancel each other. At
+/// a ridge it is its turn, however faces are divided; where both curvatures are 1 / R it is
+/// pi radius / R. Vertices within a quarter of the radius get `isDone`. `seen`: of triangles.
+double TurnInBall(const SurfaceGround& ground, Id vertex, double radius,
+  std::vector<std::uint8_t>& isDone, std::vector<Id>& seen)
+{
+  const SurfaceMesh& mesh = ground.Mesh;
+  const Point3& center = mesh.Points[At(vertex)];
+  std::vector<Id> front(ground.TrianglesAt[vertex].begin(), ground.TrianglesAt[vertex].end());
+  for (const Id t : front)
+  {
+    seen[At(t)] = vertex;
+  }
+  double sum = 0.0;
+  for (std::size_t next = 0; next < front.size(); ++next) // it grows
+  {
+    const std::size_t first = 3 * At(front[next]);
+    for (std::size_t slot = first; slot < first + 3; ++slot)
+    {
+      const Id across = ground.Across[slot];
+      const double within = across == NoId ? 0.0 : LengthWithin(mesh, slot, center, radius);
+      isDone[At(mesh.Corners[slot])] |= Distance(mesh.At(slot), center) < 0.25 * radius ? 1 : 0;
+      if (within > 0.0)
+      {
+        const Point3& normal = ground.NormalOf(first / 3);
+        const double turn = Length(ground.NormalOf(At(across / 3)) - normal); // 2 sin(angle / 2)
+        const bool isConvex = Dot(mesh.At(At(across)) - mesh.At(first), normal) < 0.0;
+        sum += (isConvex ? 0.5 : -0.5) * turn * within; // edges are seen from both sides
+        if (seen[At(across / 3)] != vertex)
+        {
+          seen[At(across / 3)] = vertex;
+          front.push_back(across / 3);
+        }
+      }
+    }
+  }
+  return std::abs(sum) / (2.0 * radius);
+}
+
 } // namespace
 
 void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
@@ -457,8 +497,12 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
 {
   ShrinkingBall ball(ground, input, inputTree);
   const GroundPatches patches(ground);
-  std::vector<Id> pieces = PieceOfEach(ground);
+  std::vector<Id> pieces(ground.Normals.size(), NoId); // of triangles of the input, one each
   std::vector<std::uint8_t> isDone(ground.Mesh.NumberOfTriangles(), 0);
+  for (std::size_t t = 0; t < isDone.size(); ++t)
+  {
+    pieces[At(ground.Mesh.Cells[t])] = static_cast<Id>(t);
+  }
   // Triangles near a place are not measured: where it sees no wall they see none, and a wall's
   // distance changes by less than theirs.
   const auto measure = [&ball, &ground, &patches, &pieces, &isDone](const Point3& place,
@@ -487,22 +531,20 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
     }
     MarkAround(ground, triangle, place, near, isDone);
   };
-  for (std::size_t v = firstVertex; v < ground.Mesh.Points.size() && pulse.Beat(64); ++v)
+  const auto isOnLine = [&ground](Id v) { return ground.Places[At(v)] != FeaturePlace::None; };
+  const auto end = static_cast<Id>(ground.Mesh.Points.size());
+  for (auto v = static_cast<Id>(firstVertex); v < end && pulse.Beat(64); ++v)
   {
-    const auto vertex = static_cast<Id>(v);
-    const IdLists::List around = ground.TrianglesAt[vertex];
-    const bool isToDo =
-      around.Size() > 0 && isDone[At(around[0])] == 0 && ground.Places[v] == FeaturePlace::None;
+    const IdLists::List around = ground.TrianglesAt[v];
+    const bool isToDo = around.Size() > 0 && isDone[At(around[0])] == 0 && !isOnLine(v);
     const Point3 normal = isToDo ? NormalAt(ground, around) : Point3{};
     if (Length(normal) > 0.5) // 0 where those around cancel
     {
-      measure(ground.Mesh.Points[v], normal, around[0], { vertex });
+      measure(ground.Mesh.Points[At(v)], normal, around[0], { v });
     }
   }
-  const auto isOnLine = [&ground](Id v) { return ground.Places[At(v)] != FeaturePlace::None; };
-  // Strips without a vertex inside.
   for (std::size_t t = 0; t < isDone.size() && pulse.Beat(64); ++t)
-  {
+  { // Strips without a vertex inside.
     const Id* corners = &ground.Mesh.Corners[3 * t];
     if (isDone[t] == 0 && std::all_of(corners, corners + 3, isOnLine) &&
       At(*std::max_element(corners, corners + 3)) >= firstVertex)
@@ -574,6 +616,26 @@ void CapByCurvature(SurfaceGround& ground, const SurfaceMesh& input, double tole
   {
     CapByTurns(ground, chain, tolerance);
   }
+}
+
+void HalveAtTurns(SurfaceGround& ground, Pulse& pulse)
+{
+  constexpr double MostTurn = 1.2; // a facet across such a ridge is .2 f from it
+  constexpr double Radius = 0.58;  // of a facet of edges f
+  std::vector<double> sizes = ground.Sizes;
+  std::vector<std::uint8_t> isDone(sizes.size(), 0);
+  std::vector<Id> seen(ground.Mesh.NumberOfTriangles(), NoId);
+  pulse.ForEach(sizes.size(),
+    [&ground, &sizes, &isDone, &seen](std::size_t v)
+    {
+      const double shares = sizes[v] / (LeastShare * ground.Given[v]);
+      if (shares > 0.5 && shares < 1.1 && isDone[v] == 0 &&
+        TurnInBall(ground, static_cast<Id>(v), Radius * sizes[v], isDone, seen) > MostTurn)
+      {
+        sizes[v] *= 0.5;
+      }
+    });
+  ground.Sizes = std::move(sizes);
 }
 
 void GradeSizes(SurfaceGround& ground, double gradation, Pulse& pulse)

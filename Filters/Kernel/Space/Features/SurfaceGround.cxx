@@ -9,7 +9,6 @@
 
 #include <algorithm>  // for count, min, max, rotate
 #include <array>      // for triangles
-#include <cmath>      // for sqrt
 #include <functional> // for less
 #include <utility>    // for pairs, move
 
@@ -19,25 +18,8 @@ namespace biting
 namespace
 {
 
-/// A slot whose edge is to be halved, by the ends of that edge.
-struct LongSlot
-{
-  Id Low;
-  Id High;
-  std::size_t Slot;
-
-  bool IsSameEdge(const LongSlot& other) const
-  {
-    return this->Low == other.Low && this->High == other.High;
-  }
-
-  bool operator<(const LongSlot& other) const
-  {
-    return this->Low != other.Low ? this->Low < other.Low
-      : this->High != other.High  ? this->High < other.High
-                                  : this->Slot < other.Slot;
-  }
-};
+/// An edge that is to be halved, by its ends, the lower first; and a slot of it.
+using LongSlot = std::pair<std::pair<Id, Id>, std::size_t>;
 
 std::vector<LongSlot> FindLongSlots(const SurfaceGround& ground, Pulse& pulse)
 {
@@ -52,7 +34,7 @@ std::vector<LongSlot> FindLongSlots(const SurfaceGround& ground, Pulse& pulse)
     const double most = LongestEdge * std::min(ground.Sizes[At(low)], ground.Sizes[At(high)]);
     if (Distance(ground.Mesh.Points[At(low)], ground.Mesh.Points[At(high)]) > most)
     {
-      slots.push_back({ low, high, slot });
+      slots.push_back({ { low, high }, slot });
     }
   }
   SortInSteps(slots, std::less<>(), pulse);
@@ -80,16 +62,16 @@ std::vector<Id> FindQuads(
   middles.assign(mesh.Corners.size(), NoId);
   for (const LongSlot& slot : slots)
   {
-    middles[slot.Slot] = 0;
+    middles[slot.second] = 0;
   }
   const auto isLong = [&middles](std::size_t slot) { return middles[slot] != NoId; };
   const auto hasTwo = [&isLong](std::size_t slot)
   { return isLong(NextSlotOf(slot)) != isLong(PreviousSlotOf(slot)); };
   for (std::size_t k = 1; k < slots.size(); ++k)
   {
-    const std::size_t own = slots[k - 1].Slot;
-    const std::size_t other = slots[k].Slot;
-    if (slots[k].IsSameEdge(slots[k - 1]) && mesh.Cells[own / 3] == mesh.Cells[other / 3] &&
+    const std::size_t own = slots[k - 1].second;
+    const std::size_t other = slots[k].second;
+    if (slots[k].first == slots[k - 1].first && mesh.Cells[own / 3] == mesh.Cells[other / 3] &&
       quads[own / 3] == NoId && quads[other / 3] == NoId && hasTwo(own) && hasTwo(other) &&
       isLong(NextSlotOf(own)) == isLong(NextSlotOf(other)) &&
       TurnsLeft(mesh.At(own), mesh.At(NextSlotOf(own)), mesh.At(other), mesh.Normal(own / 3)) &&
@@ -307,19 +289,19 @@ bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3
     const std::size_t before = ground.Mesh.Points.size();
     for (std::size_t k = 0; k < slots.size(); ++k)
     {
-      if (middles[slots[k].Slot] == NoId)
+      if (middles[slots[k].second] == NoId)
       {
         continue;
       }
-      const auto low = At(slots[k].Low);
-      const auto high = At(slots[k].High);
-      if (k == 0 || !slots[k].IsSameEdge(slots[k - 1]))
+      const auto low = At(slots[k].first.first);
+      const auto high = At(slots[k].first.second);
+      if (k == 0 || slots[k].first != slots[k - 1].first)
       {
         ground.Mesh.Points.push_back(Midpoint(ground.Mesh.Points[low], ground.Mesh.Points[high]));
         ground.Mesh.PointIds.push_back(NoId);
         ground.Sizes.push_back(0.5 * (ground.Sizes[low] + ground.Sizes[high]));
       }
-      middles[slots[k].Slot] = static_cast<Id>(ground.Mesh.Points.size()) - 1;
+      middles[slots[k].second] = static_cast<Id>(ground.Mesh.Points.size()) - 1;
     }
     constexpr std::size_t CheapSteps = 31;
     ground.Given.resize(ground.Mesh.Points.size());
@@ -352,30 +334,6 @@ bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3
     slots = FindLongSlots(ground, pulse);
   }
   return true;
-}
-
-double LeastVertices(const SurfaceGround& ground)
-{
-  const FeatureChains& chains = ground.Chains;
-  double inside = 0.0;
-  double along = 0.0;
-  for (std::size_t t = 0; t < ground.Mesh.NumberOfTriangles(); ++t)
-  {
-    const Id* c = &ground.Mesh.Corners[3 * t];
-    const double sum = ground.Sizes[At(c[0])] + ground.Sizes[At(c[1])] + ground.Sizes[At(c[2])];
-    inside += 9.0 * Length(ground.Mesh.Normal(t)) / (std::sqrt(3.0) * sum * sum);
-  }
-  for (Id chain = 0; chain < chains.Size(); ++chain)
-  {
-    for (Id k = chains.Begin(chain) + 1; k < chains.End(chain); ++k)
-    {
-      const std::size_t a = At(chains.At(k - 1));
-      const std::size_t b = At(chains.At(k));
-      along += 2.0 * Distance(ground.Mesh.Points[a], ground.Mesh.Points[b]) /
-        (ground.Sizes[a] + ground.Sizes[b]);
-    }
-  }
-  return std::max(inside, along);
 }
 
 void LinkGround(SurfaceGround& ground, Pulse& pulse)

@@ -87,11 +87,6 @@ constexpr double LongestEdge = 1.2;
 bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3&)>& given,
   std::size_t mostTriangles, Pulse& pulse);
 
-/// About how many vertices a mesh of the ground has at least: the integral of 2 / (sqrt(3) f^2) on
-/// it, or that of 1 / f along its chains where this is more. f is linear in triangles, and these
-/// functions of it are convex: their values in the middle are no more than their means.
-double LeastVertices(const SurfaceGround& ground);
-
 /// Sets Across and TrianglesAt.
 void LinkGround(SurfaceGround& ground, Pulse& pulse);
 

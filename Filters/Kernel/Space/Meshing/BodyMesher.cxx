@@ -429,7 +429,8 @@ private:
     bites.NumberOnLines = this->Body.NumberOnLines;
     bites.PieceEnds = std::move(this->Body.PieceEnds);
     bites.PieceChains = std::move(this->Body.PieceChains);
-    DescribeMesh(this->Surface, this->Certified, this->Options.Surface, boundary, pulse);
+    DescribeMesh(
+      this->Surface, this->Certified, this->Options.Surface, boundary, this->Problems, pulse);
     std::copy_n(this->BiteOrders.begin(), boundary.Points.size(), boundary.BiteOrders.begin());
     if (this->Options.Surface.KeepBites)
     {

@@ -11,7 +11,7 @@
 #include "../Surface/SurfaceCrossings.h"
 #include "ExpectedVertices.h"
 
-#include <algorithm> // for fill_n, max, min
+#include <algorithm> // for fill_n, max, min, none_of
 #include <cmath>     // for isfinite, sqrt
 #include <limits>    // for counts
 #include <numeric>   // for exclusive_scan
@@ -48,6 +48,44 @@ std::vector<Id> FaultyBites(const std::vector<BoundaryOffence>& offences, bool w
     }
   }
   return bites;
+}
+
+/// Its region, and how far its middle is from the surface.
+void MeasureTriangle(const SurfaceMesh& input, const CertifiedSurface& certified,
+  const SurfaceMesherOptions& options, std::size_t t, BitingSurface& mesh)
+{
+  Point3 middle{};
+  double size = 0.0;
+  for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
+  {
+    middle = middle + (1.0 / 3.0) * mesh.Points[At(mesh.Corners[slot])];
+    size += mesh.Spacing[At(mesh.Corners[slot])] / 3.0;
+  }
+  const Id start =
+    certified.Ground.Mesh.Cells[At(certified.Bites.Triangles[At(mesh.Corners[3 * t])])];
+  const double most = Distance(NearestPoint(input.Triangle(At(start)), middle), middle);
+  const auto [nearest, least] = NearestTriangle(input, certified.Tree, middle, most);
+  mesh.Deviations[t] = least / size;
+  mesh.Triangles[t] = nearest == NoId ? start : nearest;
+  mesh.Regions[t] = options.Regions.empty() ? 0 : options.Regions[At(mesh.Triangles[t])];
+}
+
+void Measure(const SurfaceMesh& input, const CertifiedSurface& certified,
+  const SurfaceMesherOptions& options, BitingSurface& mesh, Pulse& pulse)
+{
+  constexpr std::size_t CheapSteps = 31;
+  const std::size_t triangles = mesh.Corners.size() / 3;
+  mesh.Deviations.resize(triangles);
+  mesh.Triangles.resize(triangles, 0);
+  mesh.Regions.resize(triangles, 0);
+  ForRowsAtOnce(pulse, triangles, CheapSteps,
+    [&input, &certified, &options, &mesh](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t t = begin; t < end; ++t)
+      {
+        MeasureTriangle(input, certified, options, t, mesh);
+      }
+    });
 }
 
 class SurfaceCertifier
@@ -94,7 +132,7 @@ public:
       if (faults == 0 || (round >= RoundsForSoft && this->AreSoft()))
       {
         this->IsWhole = torn < MostTorn && this->Compare().IsSame;
-        if (torn < MostTorn && !this->IsWhole && this->LowerSizes(this->FindFar(LeastTornShare)))
+        if (torn < MostTorn && !this->IsWhole && this->LowerSizes(this->FindFar()))
         {
           ++torn;
           before = std::numeric_limits<std::size_t>::max();
@@ -114,10 +152,6 @@ public:
       }
       before = isDropped ? std::numeric_limits<std::size_t>::max() : faults;
     }
-    int left = isDone ? this->Result.RoundsForFar : 0;
-    while (left-- > 0 && this->MayGoOn() && this->BiteWhereFar())
-    {
-    }
     for (const Id vertex : this->Ground.Vanished)
     {
       this->Problems.Add({ ProblemCode::LostFeatures, {}, this->Ground.Mesh.Points[At(vertex)],
@@ -129,10 +163,9 @@ public:
 
 private:
   static constexpr int MostRounds = 8;
-  static constexpr int RoundsForSoft = 2;        ///< in which f was lowered or lines were given up
-  static constexpr int MostTorn = 4;             ///< rounds, each with another one for faults
-  static constexpr double LeastFarShare = 0.125; ///< of the given f: no smaller one is halved
-  static constexpr double LeastTornShare = 0.0625; ///< so where parts are torn
+  static constexpr int RoundsForSoft = 2; ///< in which f was lowered or lines were given up
+  static constexpr int MostTorn = 4;      ///< rounds, each with another one for faults
+  static constexpr double LeastTornShare = 0.0625; ///< of the given f: no smaller one is halved
 
   void Bite()
   {
@@ -254,6 +287,12 @@ private:
     if (this->FitsLimit())
     {
       this->CapSizes();
+    }
+    int left = this->Options.BoundaryTolerance > 0.0 ? this->Result.RoundsForTurns : 0;
+    while (left-- > 0 && !this->Problems.HasErrors())
+    {
+      HalveAtTurns(ground, this->Beats);
+      this->Regrade();
     }
   }
 
@@ -436,33 +475,10 @@ private:
     return isLower;
   }
 
-  /// Bites anew with half of f where facets are far from the surface: turns too sharp for a quarter
-  /// of the given f. Whether there are any, and the certificates hold again; else all stays.
-  bool BiteWhereFar()
-  {
-    const std::vector<Id> far = this->FindFar(LeastFarShare);
-    SurfaceGround ground = far.empty() ? SurfaceGround() : this->Ground;
-    if (!this->LowerSizes(far))
-    {
-      return false;
-    }
-    SurfaceBites bites = std::move(this->Bites);
-    SurfaceBoundary boundary = std::move(this->Boundary);
-    this->Bite();
-    const bool isBetter = this->Boundary.Offences.empty();
-    if (!isBetter)
-    {
-      this->Ground = std::move(ground);
-      this->Bites = std::move(bites);
-      this->Boundary = std::move(boundary);
-    }
-    return isBetter;
-  }
-
   /// The bites at facets whose middles are farther from the surface than twice the tolerance. A
   /// ridge that turns by FeatureAngle is .14 edges from a facet across it, however small that is.
   /// None where half of f there may make too many vertices.
-  std::vector<Id> FindFar(double leastShare)
+  std::vector<Id> FindFar()
   {
     constexpr std::int64_t MostGrowth = 4; // half of f makes four times the vertices
     if (!(this->Options.BoundaryTolerance > 0.0) ||
@@ -470,37 +486,21 @@ private:
     {
       return {};
     }
-    constexpr std::size_t CheapSteps = 31;
-    const std::vector<Id>& corners = this->Boundary.Corners;
-    std::vector<std::uint8_t> isFar(this->Boundary.Triangles.size(), 0);
-    ForRowsAtOnce(this->Beats, isFar.size(), CheapSteps,
-      [this, leastShare, &corners, &isFar](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t t = begin; t < end; ++t)
-        {
-          Point3 middle{};
-          double size = 0.0;
-          double least = Infinity;
-          for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
-          {
-            const std::size_t bite = At(corners[slot]);
-            middle = middle + (1.0 / 3.0) * this->Bites.Centers[bite];
-            size += this->Bites.Sizes[bite] / 3.0;
-            least = std::min(least, this->Bites.Sizes[bite] / this->GivenAt(corners[slot]));
-          }
-          const double most = 2.0 * this->Options.BoundaryTolerance * size;
-          const auto below = this->Surface.Mesh.Triangle(At(this->Boundary.Triangles[t]));
-          const bool isNear = Distance(NearestPoint(below, middle), middle) < most ||
-            NearestTriangle(this->Surface.Mesh, this->Tree, middle, most).first != NoId;
-          isFar[t] = least > leastShare && !isNear ? 1 : 0;
-        }
-      });
+    BitingSurface mesh;
+    mesh.Points = this->Bites.Centers;
+    mesh.Spacing = this->Bites.Sizes;
+    mesh.Corners = this->Boundary.Corners;
+    Measure(this->Surface.Mesh, this->Result, this->Options, mesh, this->Beats);
+    const auto isSmall = [this](Id bite)
+    { return this->Bites.Sizes[At(bite)] <= LeastTornShare * this->GivenAt(bite); };
     std::vector<Id> far;
-    for (std::size_t slot = 0; slot < corners.size(); ++slot)
+    for (auto facet = mesh.Corners.begin(); facet != mesh.Corners.end(); facet += 3)
     {
-      if (isFar[slot / 3] != 0)
+      const double deviation = mesh.Deviations[At((facet - mesh.Corners.begin()) / 3)];
+      if (deviation >= 2.0 * this->Options.BoundaryTolerance &&
+        std::none_of(facet, facet + 3, isSmall))
       {
-        far.push_back(corners[slot]);
+        far.insert(far.end(), facet, facet + 3);
       }
     }
     return far;
@@ -518,44 +518,6 @@ private:
   ProblemList& Problems;
   Pulse Beats;
 };
-
-/// Its region, and how far its middle is from the surface.
-void MeasureTriangle(const SurfaceMesh& input, const CertifiedSurface& certified,
-  const SurfaceMesherOptions& options, std::size_t t, BitingSurface& mesh)
-{
-  Point3 middle{};
-  double size = 0.0;
-  for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
-  {
-    middle = middle + (1.0 / 3.0) * mesh.Points[At(mesh.Corners[slot])];
-    size += mesh.Spacing[At(mesh.Corners[slot])] / 3.0;
-  }
-  const Id start =
-    certified.Ground.Mesh.Cells[At(certified.Bites.Triangles[At(mesh.Corners[3 * t])])];
-  const double most = Distance(NearestPoint(input.Triangle(At(start)), middle), middle);
-  const auto [nearest, least] = NearestTriangle(input, certified.Tree, middle, most);
-  mesh.Deviations[t] = least / size;
-  mesh.Triangles[t] = nearest == NoId ? start : nearest;
-  mesh.Regions[t] = options.Regions.empty() ? 0 : options.Regions[At(mesh.Triangles[t])];
-}
-
-void Measure(const SurfaceMesh& input, const CertifiedSurface& certified,
-  const SurfaceMesherOptions& options, BitingSurface& mesh, Pulse& pulse)
-{
-  constexpr std::size_t CheapSteps = 31;
-  const std::size_t triangles = mesh.Corners.size() / 3;
-  mesh.Deviations.resize(triangles);
-  mesh.Triangles.resize(triangles, 0);
-  mesh.Regions.resize(triangles, 0);
-  ForRowsAtOnce(pulse, triangles, CheapSteps,
-    [&input, &certified, &options, &mesh](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t t = begin; t < end; ++t)
-      {
-        MeasureTriangle(input, certified, options, t, mesh);
-      }
-    });
-}
 
 } // namespace
 
@@ -577,7 +539,7 @@ bool MayGoOn(ProblemList& problems, Pulse& pulse)
 }
 
 void DescribeMesh(const CheckedSurface& surface, const CertifiedSurface& certified,
-  const SurfaceMesherOptions& options, BitingSurface& mesh, Pulse& pulse)
+  const SurfaceMesherOptions& options, BitingSurface& mesh, ProblemList& problems, Pulse& pulse)
 {
   const SurfaceBites& bites = certified.Bites;
   const SurfaceGround& ground = certified.Ground;
@@ -602,6 +564,15 @@ void DescribeMesh(const CheckedSurface& surface, const CertifiedSurface& certifi
     mesh.BiteRadii = bites.Radii;
   }
   Measure(surface.Mesh, certified, options, mesh, pulse);
+  const double most = std::max(0.25, 2.0 * options.BoundaryTolerance);
+  for (std::size_t t = 0; t < mesh.Deviations.size(); ++t)
+  {
+    if (mesh.Deviations[t] > most)
+    {
+      const Point3& place = mesh.Points[At(mesh.Corners[3 * t])];
+      problems.Add({ ProblemCode::LostFeatures, {}, place, "" });
+    }
+  }
 }
 
 bool CrossesItself(const std::vector<Point3>& points, const std::vector<Id>& corners, Pulse& pulse)

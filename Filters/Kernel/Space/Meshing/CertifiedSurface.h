@@ -25,7 +25,7 @@ struct CertifiedSurface
   BoxTree<SurfaceItem, 3> Tree; ///< of the surface
   SurfaceBoundary Boundary;     ///< without offences
   double AskedVertices = 0.0;   ///< about how many f as given asks for
-  int RoundsForFar = 0;         ///< as given: at most so many halve f where facets are far
+  int RoundsForTurns = 0;       ///< as given: so many halve f at sharp turns (HalveAtTurns)
   bool HasBalls = true;         ///< as given: the boundary has BallCenters
 };
 
@@ -33,8 +33,7 @@ struct CertifiedSurface
 /// Where only parts differ from those of the surface (CheckWhole), f is halved at facets far from
 /// it, in four rounds at most. Where edges stay too sharp for f, facets may be turned and points of
 /// the surface be up to 1.44 f from the mesh, .94 f from a bite that is f / 2 from a vertex: the
-/// problem LostFeatures. Where facets are then farther from the surface than twice the tolerance, f
-/// is halved, in RoundsForFar rounds; a round that fails is taken back.
+/// problem LostFeatures.
 /// `sides`: of each triangle of the surface, the labels of space behind and in front; empty where
 /// it bounds nothing. False, with problems, where this fails or the monitor asks to stop.
 bool CertifySurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
@@ -44,9 +43,10 @@ bool CertifySurface(const CheckedSurface& surface, const SurfaceMesherOptions& o
 /// Whether there is no error yet. A stopped pulse is added as the error Aborted.
 bool MayGoOn(ProblemList& problems, Pulse& pulse);
 
-/// Fills the other arrays of `mesh` from its Points, Spacing and Corners.
+/// Fills the other arrays of `mesh` from its Points, Spacing and Corners. Where triangles are
+/// farther than f / 4 and two tolerances from the surface: the problem LostFeatures.
 void DescribeMesh(const CheckedSurface& surface, const CertifiedSurface& certified,
-  const SurfaceMesherOptions& options, BitingSurface& mesh, Pulse& pulse);
+  const SurfaceMesherOptions& options, BitingSurface& mesh, ProblemList& problems, Pulse& pulse);
 
 /// Whether triangles cross, or touch outside of the corners and edges that they share.
 bool CrossesItself(const std::vector<Point3>& points, const std::vector<Id>& corners, Pulse& pulse);

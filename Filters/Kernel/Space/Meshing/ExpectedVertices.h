@@ -4,7 +4,7 @@
 #ifndef BitingExpectedVertices_h
 #define BitingExpectedVertices_h
 
-#include "../Surface/SurfaceMesh.h"
+#include "../Features/SurfaceGround.h"
 
 #include <algorithm>  // for max, min
 #include <array>      // for corners
@@ -64,6 +64,33 @@ inline double ExpectedVertices(
     }
   }
   return sum;
+}
+
+/// About how many vertices a mesh of the ground has at least: the integral of 2 / (sqrt(3) f^2) on
+/// it, or that of 1 / f along its chains where this is more. f is linear in triangles, and these
+/// functions of it are convex: their values in the middle are no more than their means.
+inline double LeastVertices(const SurfaceGround& ground)
+{
+  const FeatureChains& chains = ground.Chains;
+  double inside = 0.0;
+  double along = 0.0;
+  for (std::size_t t = 0; t < ground.Mesh.NumberOfTriangles(); ++t)
+  {
+    const Id* c = &ground.Mesh.Corners[3 * t];
+    const double sum = ground.Sizes[At(c[0])] + ground.Sizes[At(c[1])] + ground.Sizes[At(c[2])];
+    inside += 9.0 * Length(ground.Mesh.Normal(t)) / (std::sqrt(3.0) * sum * sum);
+  }
+  for (Id chain = 0; chain < chains.Size(); ++chain)
+  {
+    for (Id k = chains.Begin(chain) + 1; k < chains.End(chain); ++k)
+    {
+      const std::size_t a = At(chains.At(k - 1));
+      const std::size_t b = At(chains.At(k));
+      along += 2.0 * Distance(ground.Mesh.Points[a], ground.Mesh.Points[b]) /
+        (ground.Sizes[a] + ground.Sizes[b]);
+    }
+  }
+  return std::max(inside, along);
 }
 
 } // namespace biting

@@ -76,7 +76,7 @@ BitingSurface MeshSurface(const CheckedSurface& surface, const SurfaceMesherOpti
 {
   Pulse pulse(monitor);
   CertifiedSurface certified;
-  certified.RoundsForFar = 2;
+  certified.RoundsForTurns = 2;
   certified.HasBalls = false;
   BitingSurface mesh;
   if (CertifySurface(surface, options, SidesOf(surface), certified, problems, monitor))
@@ -84,7 +84,7 @@ BitingSurface MeshSurface(const CheckedSurface& surface, const SurfaceMesherOpti
     monitor.BeginStage("Relaxing");
     std::vector<TriangleSides>().swap(certified.Boundary.Sides);
     Relax(certified, options.Relaxation, mesh, pulse);
-    DescribeMesh(surface, certified, options, mesh, pulse);
+    DescribeMesh(surface, certified, options, mesh, problems, pulse);
   }
   return MayGoOn(problems, pulse) ? mesh : BitingSurface();
 }

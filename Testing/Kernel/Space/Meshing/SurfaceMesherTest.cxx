@@ -248,6 +248,17 @@ Soup Prism(const std::vector<std::array<double, 2>>& polygon, const Point3& midd
 
 } // namespace
 
+TEST(SurfaceMesher, TellsWhereFacetsAreFarFromTheSurface)
+{
+  SurfaceMesherOptions options = Uniform(0.3);
+  options.FeatureAngle = 180.0; // edges of a cube are cut off
+  const Soup cube =
+    Prism({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } }, { 0.5, 0.5, 0.0 });
+  const Meshed meshed = MakeMesh(cube, options);
+  EXPECT_FALSE(meshed.Problems.HasErrors());
+  EXPECT_TRUE(meshed.Problems.Has(ProblemCode::LostFeatures));
+}
+
 TEST(SurfaceMesher, StaysWithinTheToleranceWhereTheSurfaceCurves)
 {
   const std::vector<Soup> bodies{ Turned(
@@ -273,10 +284,19 @@ TEST(SurfaceMesher, DoesNotDependOnHowFacesAreTriangulated)
     halfCircle.push_back({ std::sin(angle), -std::cos(angle) });
   }
   halfCircle.push_back({ 0.0, 1.0 });
-  // Where f is capped by little, at lines that turn, and at a ball of faces that turn by 9 degrees.
+  std::vector<std::array<double, 2>> rounded; // a square, its corners by .03 f
+  for (int k = 0; k < 36; ++k)
+  {
+    const int corner = k / 9;
+    const double angle = 1.5707963267948966 * (k % 9 + 8 * corner - 8) / 8;
+    rounded.push_back({ (corner < 2 ? 0.99 : 0.01) + 0.01 * std::cos(angle),
+      (corner == 1 || corner == 2 ? 0.99 : 0.01) + 0.01 * std::sin(angle) });
+  }
+  // Where f is capped by little, at lines that turn, at a ball of faces that turn by 9 degrees, and
+  // where facets as small as caps make them are still too large.
   const std::vector<std::pair<Soup, double>> bodies{ { Torus(1.0, 0.3, 32), 0.2 },
     { Turned({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } }, 10), 1.0 / 3.0 },
-    { Turned(halfCircle, 40), 0.385 } };
+    { Turned(halfCircle, 40), 0.385 }, { Prism(rounded, { 0.5, 0.5, 0.0 }), 0.3 } };
   for (const auto& [body, size] : bodies)
   {
     const Meshed whole = MakeMesh(body, Uniform(size));
