@@ -116,10 +116,13 @@ BoxTree<Item, D>::BoxTree(std::vector<Item> items, Pulse& pulse)
     entries.push_back({ item.Box(), item.Least(), static_cast<Id>(entries.size()) });
   }
   this->Nodes.resize(1);
-  this->Build({ 0, 0, static_cast<Id>(entries.size()) }, entries, pulse);
+  if (pulse.Ask())
+  {
+    this->Build({ 0, 0, static_cast<Id>(entries.size()) }, entries, pulse);
+  }
   this->Ordered = std::move(items);
   this->Order(entries, pulse);
-  if (pulse.HasStopped())
+  if (!pulse.Ask())
   {
     this->Nodes.clear();
     this->Ordered.clear();
