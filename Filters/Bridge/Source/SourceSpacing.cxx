@@ -148,7 +148,7 @@ std::shared_ptr<GridSource> GridFrom(
     grid->Values = std::move(values);
     return grid;
   }
-  GrowInSteps(grid->Values, width * grid->YNodes.size(), 0.0, pulse);
+  grid->Values.resize(width * grid->YNodes.size(), 0.0);
   pulse.ForEach(grid->Values.size(),
     [&values, &grid, width, along = plane->Along, across = plane->Across](std::size_t k)
     { grid->Values[k] = values[k % width * along + k / width * across]; });

@@ -8,7 +8,6 @@
 #include "Ids.h"
 #include "Numbers.h"
 #include "Pulse.h"
-#include "Tasks.h"
 
 #include <algorithm> // for nth_element, sort
 #include <utility>   // for move, swap
@@ -20,8 +19,7 @@ namespace biting
 /// Branch and bound over many items of the plane or of space: each lies in item.Box(), and its cost
 /// at x is at least item.Least() plus slope times the distance from x to the box; and which of them
 /// meet a box. A balanced binary tree of boxes; the cost of a search is logarithmic in ordinary
-/// cases. Built on the threads of the pulse's monitor, level by level, then by subtrees; it does
-/// not depend on how many these are.
+/// cases.
 template <typename Item, std::size_t D = 2>
 class BoxTree
 {
@@ -56,9 +54,6 @@ public:
 
 private:
   static constexpr Id ItemsPerLeaf = 4;
-
-  /// A subtree of no more than so many is one task.
-  static constexpr Id ItemsPerTask = 1 << 14;
 
   /// What there is to know of an item when the tree is built.
   struct Entry
@@ -97,14 +92,10 @@ private:
     Id id, double bound, const Point<D>& x, double slope, double& limit, Visit& visit) const;
   template <typename Question>
   bool AllBelow(const Node& node, const biting::Box<D>& box, const Question& isSo) const;
-  void Build(std::vector<Entry>& entries, Pulse& pulse);
-  std::vector<Branch> SplitAll(
-    const std::vector<Branch>& branches, std::vector<Entry>& entries, Pulse& pulse);
   void Order(std::vector<Entry>& entries, Pulse& pulse);
   static Node Enclose(const Branch& branch, const std::vector<Entry>& entries);
   static void Halve(const Branch& branch, const biting::Box<D>& box, std::vector<Entry>& entries);
-  static std::size_t NodesOf(Id items);
-  void BuildBelow(const Branch& branch, std::vector<Entry>& entries, Id& next, Pulse& pulse);
+  void Build(const Branch& branch, std::vector<Entry>& entries, Pulse& pulse);
 
   std::vector<Item> Ordered;
   std::vector<Node> Nodes;
@@ -118,15 +109,20 @@ BoxTree<Item, D>::BoxTree(std::vector<Item> items, Pulse& pulse)
     return;
   }
   const PulsePart part(pulse, 0.0, 0.0);
-  std::vector<Entry> entries(items.size());
-  ForEachAtOnce(pulse, items.size(),
-    [&items, &entries](std::size_t i) {
-      entries[i] = { items[i].Box(), items[i].Least(), static_cast<Id>(i) };
-    });
-  this->Build(entries, pulse);
+  std::vector<Entry> entries;
+  entries.reserve(items.size());
+  for (const Item& item : items)
+  {
+    entries.push_back({ item.Box(), item.Least(), static_cast<Id>(entries.size()) });
+  }
+  this->Nodes.resize(1);
+  if (pulse.Ask())
+  {
+    this->Build({ 0, 0, static_cast<Id>(entries.size()) }, entries, pulse);
+  }
   this->Ordered = std::move(items);
   this->Order(entries, pulse);
-  if (pulse.HasStopped())
+  if (!pulse.Ask())
   {
     this->Nodes.clear();
     this->Ordered.clear();
@@ -137,7 +133,6 @@ BoxTree<Item, D>::BoxTree(std::vector<Item> items, Pulse& pulse)
 template <typename Item, std::size_t D>
 void BoxTree<Item, D>::Order(std::vector<Entry>& entries, Pulse& pulse)
 {
-  // Of a stopped pulse the entries may not all be there.
   for (std::size_t first = 0; first < entries.size() && pulse.Beat(1); ++first)
   {
     std::size_t place = first;
@@ -150,66 +145,6 @@ void BoxTree<Item, D>::Order(std::vector<Entry>& entries, Pulse& pulse)
     }
     entries[place].Number = static_cast<Id>(place);
   }
-}
-
-template <typename Item, std::size_t D>
-void BoxTree<Item, D>::Build(std::vector<Entry>& entries, Pulse& pulse)
-{
-  this->Nodes.resize(1);
-  std::vector<Branch> branches{ { 0, 0, static_cast<Id>(entries.size()) } };
-  while (branches.back().Last - branches.back().First > ItemsPerTask && !pulse.HasStopped())
-  {
-    branches = this->SplitAll(branches, entries, pulse);
-  }
-  std::vector<Id> firsts; // of the nodes below branches
-  std::size_t nodes = this->Nodes.size();
-  for (const Branch& branch : branches)
-  {
-    firsts.push_back(static_cast<Id>(nodes));
-    nodes += NodesOf(branch.Last - branch.First) - 1;
-  }
-  this->Nodes.resize(nodes);
-  DoTasks(pulse, branches.size(),
-    [this, &branches, &entries, &firsts](std::size_t k, Monitor& monitor)
-    {
-      Pulse own(monitor);
-      Id next = firsts[k];
-      this->BuildBelow(branches[k], entries, next, own);
-    });
-}
-
-/// The number of nodes of a subtree with this many items.
-template <typename Item, std::size_t D>
-std::size_t BoxTree<Item, D>::NodesOf(Id items)
-{
-  return items > ItemsPerLeaf ? 1 + NodesOf(items / 2) + NodesOf(items - items / 2) : 1;
-}
-
-/// Makes the nodes of the branches; returns those below them. The last of each level is the
-/// largest.
-template <typename Item, std::size_t D>
-std::vector<typename BoxTree<Item, D>::Branch> BoxTree<Item, D>::SplitAll(
-  const std::vector<Branch>& branches, std::vector<Entry>& entries, Pulse& pulse)
-{
-  const auto firstChild = static_cast<Id>(this->Nodes.size());
-  this->Nodes.resize(this->Nodes.size() + 2 * branches.size());
-  std::vector<Branch> below;
-  for (const Branch& branch : branches)
-  {
-    const Id child = firstChild + static_cast<Id>(below.size());
-    below.push_back({ child, branch.First, branch.Middle() });
-    below.push_back({ child + 1, branch.Middle(), branch.Last });
-  }
-  DoTasks(pulse, branches.size(),
-    [this, &branches, &below, &entries](std::size_t k, Monitor&)
-    {
-      Node node = Enclose(branches[k], entries);
-      Halve(branches[k], node.Box, entries);
-      node.First = below[2 * k].Node;
-      node.Count = 0;
-      this->Nodes[branches[k].Node] = node;
-    });
-  return below;
 }
 
 /// As a leaf.
@@ -250,8 +185,7 @@ void BoxTree<Item, D>::Halve(
 }
 
 template <typename Item, std::size_t D>
-void BoxTree<Item, D>::BuildBelow(
-  const Branch& branch, std::vector<Entry>& entries, Id& next, Pulse& pulse)
+void BoxTree<Item, D>::Build(const Branch& branch, std::vector<Entry>& entries, Pulse& pulse)
 {
   if (!pulse.Beat(4 * static_cast<std::size_t>(branch.Last - branch.First)))
   {
@@ -261,11 +195,11 @@ void BoxTree<Item, D>::BuildBelow(
   if (node.Count > ItemsPerLeaf)
   {
     Halve(branch, node.Box, entries);
-    node.First = next;
+    node.First = static_cast<Id>(this->Nodes.size());
     node.Count = 0;
-    next += 2;
-    this->BuildBelow({ node.First, branch.First, branch.Middle() }, entries, next, pulse);
-    this->BuildBelow({ node.First + 1, branch.Middle(), branch.Last }, entries, next, pulse);
+    this->Nodes.resize(this->Nodes.size() + 2);
+    this->Build({ node.First, branch.First, branch.Middle() }, entries, pulse);
+    this->Build({ node.First + 1, branch.Middle(), branch.Last }, entries, pulse);
   }
   else
   {

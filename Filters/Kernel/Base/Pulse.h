@@ -140,21 +140,6 @@ private:
   Pulse& Beats;
 };
 
-/// Makes `values` longer with copies of `value`. In steps, because the system gives memory when it
-/// is touched first, a page at a time. False, and they are shorter, where the monitor wants to
-/// stop.
-template <typename Value>
-bool GrowInSteps(std::vector<Value>& values, std::size_t size, Value value, Pulse& pulse)
-{
-  constexpr std::size_t Step = 1u << 18;
-  values.reserve(size);
-  while (values.size() < size && pulse.Ask())
-  {
-    values.resize(std::min(size, values.size() + Step), value);
-  }
-  return !pulse.HasStopped();
-}
-
 /// Gives the memory of the arrays back, one after the other, and asks the monitor between: that of
 /// millions of items takes as long as touching it first.
 template <typename... Values>

@@ -34,7 +34,7 @@ constexpr double PartsEnd = 0.9;
 TakenStrip TakeNearCuts(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
   const JoinedMesh& mesh, Pulse& pulse)
 {
-  StripSource source(domain, areTouching, mesh, pulse);
+  StripSource source(domain, areTouching, mesh);
   return TakeStrip(source, mesh.NearCuts, pulse);
 }
 
@@ -52,7 +52,7 @@ bool RelaxParts(const Domain& domain, const Spacing& spacing, std::vector<Triang
   JoinedMesh& mesh, Pulse& pulse)
 {
   const std::vector<std::uint8_t> touchesNone;
-  StripSource source(domain, touchesNone, mesh, pulse);
+  StripSource source(domain, touchesNone, mesh);
   std::vector<RelaxedStrip> strips(parts.size());
   DoTasks(pulse, parts.size(),
     [&spacing, &parts, &source, &strips](std::size_t k, Monitor& own)

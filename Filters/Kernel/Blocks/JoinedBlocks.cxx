@@ -8,10 +8,9 @@
 #include "../Base/Tasks.h"
 #include "StripParts.h"
 
-#include <algorithm>  // for max, max_element, stable_sort
-#include <functional> // for tasks
-#include <tuple>      // for comparing
-#include <utility>    // for move
+#include <algorithm> // for max, max_element, stable_sort
+#include <tuple>     // for comparing
+#include <utility>   // for move
 
 namespace biting
 {
@@ -180,20 +179,16 @@ private:
     }
   }
 
-  // Room is made as tasks: most of the time goes into touching memory first. What blocks have of
-  // vertices is given back before there are triangles: these are most of a mesh.
+  // What blocks have of vertices is given back before there are triangles, the most of a mesh.
   bool JoinVertices()
   {
     const PulsePart part(this->Beats, 0.0, VerticesEnd);
     const std::size_t vertices = static_cast<std::size_t>(this->Places.back().Vertex);
     BitingResult& bites = this->Result.Bites;
-    DoEach(this->Beats,
-      { [&bites, vertices](Pulse& pulse) { GrowInSteps(bites.Points, vertices, Point2(), pulse); },
-        [&bites, vertices](Pulse& pulse) { GrowInSteps(bites.Spacings, vertices, 0.0, pulse); },
-        [&bites, vertices](Pulse& pulse)
-        { GrowInSteps(bites.BiteOrders, vertices, Id{ 0 }, pulse); },
-        [&bites, vertices](Pulse& pulse)
-        { GrowInSteps(bites.Segments, vertices, Id{ 0 }, pulse); } });
+    bites.Points.resize(vertices);
+    bites.Spacings.resize(vertices);
+    bites.BiteOrders.resize(vertices);
+    bites.Segments.resize(vertices);
     return DoTasks(this->Beats, this->Meshes.size(),
       [this](std::size_t block, Monitor& own)
       {
@@ -209,18 +204,12 @@ private:
     const PulsePart part(this->Beats, VerticesEnd, CopyingEnd);
     const std::size_t triangles = static_cast<std::size_t>(this->Places.back().Triangle);
     Triangulation& mesh = this->Result.Triangles;
-    std::vector<std::function<void(Pulse&)>> rooms;
     for (std::vector<Id>* slots : { &mesh.Corners, &mesh.Neighbors, &mesh.Constraints })
     {
-      rooms.emplace_back(
-        [slots, triangles](Pulse& pulse) { GrowInSteps(*slots, 3 * triangles, Id{ 0 }, pulse); });
+      slots->resize(3 * triangles);
     }
-    for (std::vector<Id>* values : { &mesh.Regions, &this->Faces })
-    {
-      rooms.emplace_back(
-        [values, triangles](Pulse& pulse) { GrowInSteps(*values, triangles, Id{ 0 }, pulse); });
-    }
-    DoEach(this->Beats, rooms);
+    mesh.Regions.resize(triangles);
+    this->Faces.resize(triangles);
     DoTasks(this->Beats, this->Meshes.size(),
       [this](std::size_t block, Monitor& own)
       {

@@ -123,12 +123,8 @@ private:
   // All vertices and triangles are kept unless they are marked as gone.
   void MakeRoom()
   {
-    const std::size_t vertices = this->Whole.Bites.Points.size();
-    const std::size_t triangles = this->Whole.Triangles.Regions.size();
-    DoEach(this->Beats,
-      { [this, vertices](Pulse& own) { GrowInSteps(this->NewNumbers, vertices, Id{ 0 }, own); },
-        [this, triangles](Pulse& own)
-        { GrowInSteps(this->NewTriangles, triangles, Id{ 0 }, own); } });
+    this->NewNumbers.resize(this->Whole.Bites.Points.size());
+    this->NewTriangles.resize(this->Whole.Triangles.Regions.size());
   }
 
   // Kept vertices are numbered first, in their order, then the new ones.

@@ -358,19 +358,14 @@ private:
 
 } // namespace
 
-StripSource::StripSource(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
-  const JoinedMesh& mesh, Pulse& pulse)
+StripSource::StripSource(
+  const Domain& domain, const std::vector<std::uint8_t>& areTouching, const JoinedMesh& mesh)
   : Geometry(domain)
   , AreTouching(areTouching)
   , Whole(mesh)
+  , TriangleNumbers(mesh.Triangles.Regions.size(), NoId)
+  , VertexNumbers(mesh.Bites.Points.size(), NoId)
 {
-  const std::size_t triangles = mesh.Triangles.Regions.size();
-  const std::size_t vertices = mesh.Bites.Points.size();
-  DoEach(pulse,
-    { [this, triangles](Pulse& own)
-      { GrowInSteps(this->TriangleNumbers, triangles, Id{ NoId }, own); },
-      [this, vertices](Pulse& own)
-      { GrowInSteps(this->VertexNumbers, vertices, Id{ NoId }, own); } });
 }
 
 TakenStrip TakeStrip(StripSource& source, std::vector<Id> triangles, Pulse& pulse)

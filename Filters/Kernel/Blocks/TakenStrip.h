@@ -46,8 +46,8 @@ struct TakenStrip
 struct StripSource
 {
   /// The arguments must outlive this object.
-  StripSource(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
-    const JoinedMesh& mesh, Pulse& pulse);
+  StripSource(
+    const Domain& domain, const std::vector<std::uint8_t>& areTouching, const JoinedMesh& mesh);
 
   const Domain& Geometry;
   const std::vector<std::uint8_t>& AreTouching; ///< segments nearly touch others; empty: none does

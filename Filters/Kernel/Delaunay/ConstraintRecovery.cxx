@@ -174,7 +174,7 @@ void Recovery::PrepareMesh()
 {
   const PulsePart part(this->Beats, 0.0, PreparationEnd);
   this->Mesh.VertexEdges.reserve(this->Mesh.Points.capacity());
-  GrowInSteps(this->Mesh.VertexEdges, this->Mesh.Points.size(), NoId, this->Beats);
+  this->Mesh.VertexEdges.resize(this->Mesh.Points.size(), NoId);
   this->Beats.ForEach(HalfEdgeMesh::FirstEdge(this->Mesh.NumberOfTriangles),
     [this](std::size_t edge)
     {

@@ -15,9 +15,8 @@ namespace biting
 namespace
 {
 
-// Where steps end, as shares of the time.
+// Of the time.
 constexpr double CopyingEnd = 0.05;
-constexpr double RoomEnd = 0.1;
 
 /// Where a point lies: in a triangle, perhaps on one of its edges, or at a vertex.
 struct Location
@@ -224,14 +223,13 @@ void CopyPoints(const std::vector<Point2>& points, InsertionResult& result, Puls
     [&points, &result](std::size_t i) { result.Mesh.Points[i] = points[result.Order[i]]; });
 }
 
-bool MakeRoom(HalfEdgeMesh& mesh, Pulse& pulse)
+void MakeRoom(HalfEdgeMesh& mesh)
 {
-  const PulsePart part(pulse, CopyingEnd, RoomEnd);
   const std::size_t numberOfTriangles = 2 * mesh.Points.size() - 2;
   mesh.Corners.reserve(4 * numberOfTriangles + RoomForLate(4 * numberOfTriangles));
   mesh.Twins.reserve(mesh.Corners.capacity());
-  return GrowInSteps(mesh.Corners, 4 * numberOfTriangles, Id(0), pulse) &&
-    GrowInSteps(mesh.Twins, 4 * numberOfTriangles, NoId, pulse);
+  mesh.Corners.resize(4 * numberOfTriangles);
+  mesh.Twins.resize(4 * numberOfTriangles, NoId);
 }
 
 } // namespace
@@ -244,12 +242,12 @@ InsertionResult InsertPoints(
   result.Order.reserve(points.size() + RoomForLate(points.size()));
   result.Vertex.resize(points.size());
   CopyPoints(points, result, pulse);
-  if (pulse.HasStopped() || !ChooseFirstTriangle(result.Mesh.Points, result.Order) ||
-    !MakeRoom(result.Mesh, pulse))
+  if (pulse.HasStopped() || !ChooseFirstTriangle(result.Mesh.Points, result.Order))
   {
     return result;
   }
-  const PulsePart part(pulse, RoomEnd, 1.0);
+  MakeRoom(result.Mesh);
+  const PulsePart part(pulse, CopyingEnd, 1.0);
   Inserter inserter(result.Mesh, phi, pulse);
   inserter.MakeFirstTriangle();
   const Id numberOfPoints = result.Mesh.NumberOfVertices();

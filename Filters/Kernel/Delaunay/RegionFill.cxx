@@ -248,10 +248,7 @@ private:
     const PulsePart part(this->Beats, RegionsEnd, CountsEnd);
     this->Sizes.assign(regions.Size + 1, 0);
     const std::size_t points = 1 + *std::max_element(this->Order.begin(), this->Order.end());
-    if (!GrowInSteps(this->Begins, points + 1, Id(0), this->Beats))
-    {
-      return;
-    }
+    this->Begins.resize(points + 1);
     this->Beats.ForEach(this->Numbers.size(),
       [this, &regions](std::size_t triangle)
       {
@@ -280,8 +277,7 @@ private:
   /// The triangles inside, by counting.
   std::vector<Id> SortByLastCorner()
   {
-    std::vector<Id> sorted;
-    GrowInSteps(sorted, this->Result.Regions.size(), NoId, this->Beats);
+    std::vector<Id> sorted(this->Result.Regions.size());
     this->Beats.ForEach(this->Begins.size() - 1,
       [this](std::size_t point) { this->Begins[point + 1] += this->Begins[point]; });
     this->Beats.ForEach(this->Numbers.size(),
@@ -299,8 +295,7 @@ private:
   /// Keeps the order within each.
   std::vector<Id> SortByRegion(std::vector<Id> sorted)
   {
-    std::vector<Id> inside;
-    GrowInSteps(inside, sorted.size(), NoId, this->Beats);
+    std::vector<Id> inside(sorted.size());
     this->Beats.ForEach(sorted.size(),
       [this, &sorted, &inside](std::size_t place)
       { inside[this->Sizes[this->Numbers[sorted[place]]]++] = sorted[place]; });
@@ -331,9 +326,9 @@ private:
   {
     const PulsePart part(this->Beats, NumbersEnd, 1.0);
     const std::size_t size = this->Inside.size();
-    GrowInSteps(this->Result.Neighbors, 3 * size, NoId, this->Beats);
-    GrowInSteps(this->Result.Constraints, 3 * size, NoId, this->Beats);
-    GrowInSteps(this->Result.Corners, 3 * size, NoId, this->Beats);
+    this->Result.Neighbors.resize(3 * size, NoId);
+    this->Result.Constraints.resize(3 * size, NoId);
+    this->Result.Corners.resize(3 * size, NoId);
     constexpr std::size_t FarAhead = 24;
     constexpr std::size_t Ahead = 12;
     this->Beats.ForEach(this->Beats.HasStopped() ? 0 : size,

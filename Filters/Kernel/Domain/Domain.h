@@ -106,7 +106,7 @@ struct DomainOptions
   /// With more pairs of segments that cross, the input is refused with ProblemCode::NotResolved:
   /// they cost time and 100 bytes each, and the mesh would have as many vertices. So is
   /// one of which very many segments lie along one line: 1400 that all overlap are too many.
-  std::int64_t MaximumNumberOfCrossings = 5000000;
+  std::int64_t MaximumNumberOfCrossings = 1000000;
 };
 
 /// Makes the domain of `input`: weld points that are equal or too near to be told apart, resolve

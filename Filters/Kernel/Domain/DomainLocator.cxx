@@ -22,16 +22,6 @@ constexpr double MostTopCells = 8.0; // that a segment meets, on average
 constexpr double CellMargin = 1e-6;  // of a cell's size: cells overlap by more than rounding
 constexpr Id LeastCells = 4096;
 
-Box2 ChildBox(const Box2& box, Id columns, Id rows, Id child)
-{
-  const double width = box.Width() / columns;
-  const double height = box.Height() / rows;
-  Box2 childBox;
-  childBox.Low = { box.Low.X + child % columns * width, box.Low.Y + child / columns * height };
-  childBox.High = { childBox.Low.X + width, childBox.Low.Y + height };
-  return childBox;
-}
-
 // Long segments side by side would be filed in too many cells.
 double LeastCellSize(const Domain& domain)
 {
@@ -104,12 +94,11 @@ bool DomainLocator::IsInside(const Point2& p) const
   v -= row;
   while (cell->FirstChild != NoId)
   {
-    const Id columns = cell->ChildColumns;
-    u *= columns;
-    v *= NumberOfChildren / columns;
-    const Id childColumn = ClampedIndex(u, columns);
-    const Id childRow = ClampedIndex(v, NumberOfChildren / columns);
-    cell = &this->Cells[cell->FirstChild + childRow * columns + childColumn];
+    u *= Division;
+    v *= Division;
+    const Id childColumn = ClampedIndex(u, Division);
+    const Id childRow = ClampedIndex(v, Division);
+    cell = &this->Cells[cell->FirstChild + childRow * Division + childColumn];
     u -= childColumn;
     v -= childRow;
   }
@@ -244,14 +233,15 @@ void DomainLocator::CollectSegments(const Cell& a, const Cell& b, std::vector<Id
 void DomainLocator::Divide(Id cell, const Box2& box, int depth, Pulse& pulse)
 {
   const Id firstChild = static_cast<Id>(this->Cells.size());
-  const Id columns = this->BestColumns(this->Cells[cell], box);
-  this->Cells.resize(this->Cells.size() + NumberOfChildren);
+  this->Cells.resize(this->Cells.size() + Division * Division);
   this->Cells[cell].FirstChild = firstChild;
-  this->Cells[cell].ChildColumns = columns;
   const Cell parent = this->Cells[cell];
-  for (Id k = 0; k < NumberOfChildren; ++k)
+  const Point2 size{ box.Width() / Division, box.Height() / Division };
+  const double least = Division * Division * this->Geometry.Resolution;
+  for (Id k = 0; k < Division * Division; ++k)
   {
-    const Box2 childBox = ChildBox(box, columns, NumberOfChildren / columns, k);
+    const Point2 low = box.Low + Point2{ k % Division * size.X, k / Division * size.Y };
+    const Box2 childBox{ low, low + size };
     if (!pulse.Beat(static_cast<std::size_t>(parent.NumberOfSegments)))
     {
       return;
@@ -261,42 +251,12 @@ void DomainLocator::Divide(Id cell, const Box2& box, int depth, Pulse& pulse)
     // A crowd that meets in one vertex cannot be divided: give up on it soon.
     const int childDepth = depth + (count < parent.NumberOfSegments ? 1 : 4);
     const bool isWorthwhile = count > CrowdedCell && childDepth < GreatestDepth &&
-      this->Segments.size() < this->MostEntries && this->IsDivisible(childBox, columns);
+      this->Segments.size() < this->MostEntries && std::min(size.X, size.Y) > least;
     if (isWorthwhile)
     {
       this->Divide(firstChild + k, childBox, childDepth, pulse);
     }
   }
-}
-
-// Whether a cell is still larger than rounding, the way its parent was divided.
-bool DomainLocator::IsDivisible(const Box2& box, Id columns) const
-{
-  const double least = NumberOfChildren * this->Geometry.Resolution;
-  return (columns == 1 || box.Width() > least) &&
-    (columns == NumberOfChildren || box.Height() > least);
-}
-
-// The division with the fewest entries: a segment has about one for each border that it crosses.
-Id DomainLocator::BestColumns(const Cell& parent, const Box2& box) const
-{
-  double across = 0.0; // widths of the cell
-  double along = 0.0;  // heights
-  for (Id k = 0; k < parent.NumberOfSegments; ++k)
-  {
-    const Id segment = this->Segments[parent.FirstSegment + k];
-    const Point2 direction = this->Geometry.Vertices[this->Geometry.Ends[segment]] -
-      this->Geometry.Vertices[this->Geometry.Starts[segment]];
-    const double x = std::abs(direction.X) / box.Width();
-    const double y = std::abs(direction.Y) / box.Height();
-    const double longer = std::max({ 1.0, x, y });
-    across += x / longer;
-    along += y / longer;
-  }
-  const double square = 4.0 * across + 4.0 * along;
-  const double columns = 16.0 * across + along;
-  const double rows = across + 16.0 * along;
-  return square <= std::min(columns, rows) ? 4 : (columns < rows ? NumberOfChildren : 1);
 }
 
 void DomainLocator::MakeChild(Id child, const Box2& box, const Cell& parent)

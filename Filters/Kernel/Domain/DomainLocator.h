@@ -19,11 +19,10 @@ namespace biting
 
 /// Answers exactly whether a point lies inside a domain.
 ///
-/// A grid over the domain whose crowded cells are divided again, into strips where the segments in
-/// them are nearly parallel to an axis. A cell with boundary segments has a reference point of
-/// known side; a query counts the boundary segments between that point and its own. Queries cost
-/// O(1) away from the boundary and O(segments of one cell) near it. Made in O(n log n), in memory
-/// for some ten entries a segment. The domain must outlive the locator.
+/// A grid over the domain whose crowded cells are divided again. A cell with boundary segments has
+/// a reference point of known side; a query counts the boundary segments between that point and its
+/// own. Queries cost O(1) away from the boundary and O(segments of one cell) near it. Made in
+/// O(n log n), in memory for some ten entries a segment. The domain must outlive the locator.
 class DomainLocator
 {
 public:
@@ -47,8 +46,7 @@ public:
 private:
   struct Cell
   {
-    Id FirstChild = NoId; ///< of NumberOfChildren cells, row by row; or NoId for a leaf
-    Id ChildColumns = 1;
+    Id FirstChild = NoId; ///< of Division x Division cells, row by row; or NoId for a leaf
     Id FirstSegment = 0;
     Id NumberOfSegments = 0;
     bool ReferenceIsInside = false;
@@ -62,13 +60,11 @@ private:
   void SetReferences(Pulse& pulse);
   void CollectSegments(const Cell& a, const Cell& b, std::vector<Id>& segments) const;
   void Divide(Id cell, const Box2& box, int depth, Pulse& pulse);
-  bool IsDivisible(const Box2& box, Id columns) const;
-  Id BestColumns(const Cell& parent, const Box2& box) const;
   void MakeChild(Id child, const Box2& box, const Cell& parent);
   Point2 FreePoint(const Box2& box, const Cell& cell) const;
   Box2 TopBox(Id column, Id row) const;
 
-  static constexpr Id NumberOfChildren = 16; ///< 16 x 1, 4 x 4 or 1 x 16
+  static constexpr Id Division = 4;
 
   template <typename Visit>
   bool VisitCells(Id firstCell, Id columns, Id rows, const CellBox& box, Visit&& visit) const;
@@ -111,9 +107,8 @@ bool DomainLocator::VisitCell(const Cell& cell, const CellBox& box, Visit&& visi
 {
   if (cell.FirstChild != NoId)
   {
-    const Id columns = cell.ChildColumns;
-    const Id rows = NumberOfChildren / columns;
-    return this->VisitCells(cell.FirstChild, columns, rows, box.Divided(columns, rows), visit);
+    return this->VisitCells(
+      cell.FirstChild, Division, Division, box.Divided(Division, Division), visit);
   }
   for (Id k = 0; k < cell.NumberOfSegments; ++k)
   {

@@ -92,7 +92,7 @@ std::vector<Foot> EndSurroundings::VerticesOnSegmentAt(Id vertex) const
   const Id segment = *this->Stars.Begin(vertex);
   const SegmentEnds& own = this->Segment(segment).Ends;
   std::vector<Foot> feet;
-  this->Tree.Visit(SlantedBox(this->At(own.Start), this->At(own.End)), SegmentEnds(),
+  this->Tree.Visit(Box2::Around(this->At(own.Start), this->At(own.End)), SegmentEnds(),
     [this, segment, &own, &feet](Id other)
     {
       const SegmentEnds& ends = this->Segment(other).Ends;

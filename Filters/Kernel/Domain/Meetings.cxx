@@ -26,6 +26,9 @@ namespace
 constexpr double ShareOfPreparing = 0.4;
 constexpr double ShareOfTesting = 0.5;
 
+/// Whose pairs are a task: milliseconds.
+constexpr std::size_t EdgesOfPart = 2048;
+
 /// With more splits many edges lie along one line: n of them that all overlap have n^2 / 2.
 constexpr std::size_t LeastSplits = 1000000;
 constexpr std::size_t SplitsOfEdge = 50;
@@ -165,8 +168,8 @@ public:
   }
 
 private:
-  void TestPart(const SegmentTree::PairPart& part, const std::vector<std::uint8_t>& isNew,
-    const std::vector<Id>& newBefore, Meetings& found, Monitor& monitor) const;
+  void TestPart(std::size_t part, const std::vector<std::uint8_t>& isNew, Meetings& found,
+    Monitor& monitor) const;
   void TakeAll(const std::vector<Meetings>& parts);
   void TestApart(Id first, Id second);
   bool IsBeside(const SegmentEnds& ends, const SegmentEnds& other) const;
@@ -200,21 +203,18 @@ void MeetingFinder::TestEdges()
   {
     isNew.push_back(edge.IsNew);
   }
-  const std::vector<SegmentTree::PairPart> parts = this->Edges.Tree.PairParts();
-  const std::vector<Id> newBefore = this->Edges.Tree.WantedBefore(isNew);
-  std::vector<Meetings> found(parts.size());
+  std::vector<Meetings> found((this->Edges.Tree.Size() + EdgesOfPart - 1) / EdgesOfPart);
   // Of the parts that are done: no more parts are begun where these are too many together.
   std::atomic<std::size_t> splits{ 0 };
   std::atomic<std::size_t> crossings{ 0 };
   const auto areFew = [this, &splits, &crossings]
   { return splits <= this->MostSplits && crossings <= this->Most; };
-  DoTasks(this->Beats, parts.size(),
-    [this, &parts, &isNew, &newBefore, &found, &splits, &crossings, &areFew](
-      std::size_t k, Monitor& monitor)
+  DoTasks(this->Beats, found.size(),
+    [this, &isNew, &found, &splits, &crossings, &areFew](std::size_t k, Monitor& monitor)
     {
       if (areFew())
       {
-        this->TestPart(parts[k], isNew, newBefore, found[k], monitor);
+        this->TestPart(k, isNew, found[k], monitor);
         splits += found[k].Splits.size();
         crossings += found[k].Crossings.size();
       }
@@ -231,13 +231,14 @@ void MeetingFinder::TestEdges()
   }
 }
 
-void MeetingFinder::TestPart(const SegmentTree::PairPart& part,
-  const std::vector<std::uint8_t>& isNew, const std::vector<Id>& newBefore, Meetings& found,
-  Monitor& monitor) const
+void MeetingFinder::TestPart(
+  std::size_t part, const std::vector<std::uint8_t>& isNew, Meetings& found, Monitor& monitor) const
 {
+  const std::size_t first = part * EdgesOfPart;
   Pulse own(monitor);
   MeetingFinder finder(this->Input, this->Edges, this->Most, found, own);
-  this->Edges.Tree.VisitPairsOf(part, isNew, newBefore, finder);
+  this->Edges.Tree.VisitPairsOf(
+    first, std::min(first + EdgesOfPart, this->Edges.Tree.Size()), isNew, finder);
 }
 
 void MeetingFinder::TakeAll(const std::vector<Meetings>& parts)

@@ -111,16 +111,15 @@ double AspectRatio(const Shape& shape)
   return 0.5 * diameter * (shortest + middle + longest) / shape.DoubledArea;
 }
 
-void MakeRoom(MeshQuality& quality, Pulse& pulse)
+void MakeRoom(MeshQuality& quality)
 {
-  const PulsePart part(pulse, 0.0, 0.0);
   const auto triangles = static_cast<std::size_t>(quality.NumberOfTriangles);
   const auto vertices = static_cast<std::size_t>(quality.NumberOfVertices);
-  GrowInSteps(quality.MinimumAngle, triangles, 0.0, pulse);
-  GrowInSteps(quality.RadiusEdgeRatio, triangles, 0.0, pulse);
-  GrowInSteps(quality.AspectRatio, triangles, 0.0, pulse);
-  GrowInSteps(quality.Conformity, vertices, 0.0, pulse);
-  GrowInSteps(quality.NearestNeighborDistance, vertices, 0.0, pulse);
+  quality.MinimumAngle.resize(triangles);
+  quality.RadiusEdgeRatio.resize(triangles);
+  quality.AspectRatio.resize(triangles);
+  quality.Conformity.resize(vertices);
+  quality.NearestNeighborDistance.resize(vertices);
 }
 
 // The ends of the edge opposite a slot's corner.
@@ -325,7 +324,7 @@ MeshQuality MeasureQuality(const MeshView& mesh, Monitor& monitor)
   MeshQuality quality;
   quality.NumberOfVertices = static_cast<std::int64_t>(mesh.Points.size());
   quality.NumberOfTriangles = static_cast<std::int64_t>(mesh.Corners.size() / 3);
-  MakeRoom(quality, pulse);
+  MakeRoom(quality);
   LeastValues shortest(mesh.Points.size(), pulse);
   MeasureTriangles(mesh, quality, shortest, pulse);
   MeasureConformity(mesh, quality, shortest, pulse);

@@ -94,17 +94,15 @@ private:
     const std::size_t size = this->Input.Points.size();
     this->Origins.reserve(size);
     ReserveWithRoom(size, mesh.VertexEdges, mesh.Degrees);
-    if (GrowInSteps(this->Numbers, size, NoId, this->Progress))
-    {
-      this->TakeHalves(this->Input.Triangles.Corners, mesh.Corners,
-        [this, &mesh](Id edge, Id corner)
-        {
-          const Id vertex = this->NumberOf(corner);
-          mesh.Corners[edge] = vertex;
-          mesh.VertexEdges[vertex] = edge;
-          ++mesh.Degrees[vertex];
-        });
-    }
+    this->Numbers.resize(size, NoId);
+    this->TakeHalves(this->Input.Triangles.Corners, mesh.Corners,
+      [this, &mesh](Id edge, Id corner)
+      {
+        const Id vertex = this->NumberOf(corner);
+        mesh.Corners[edge] = vertex;
+        mesh.VertexEdges[vertex] = edge;
+        ++mesh.Degrees[vertex];
+      });
     ReleaseInSteps(this->Progress, this->Numbers);
   }
 
@@ -129,9 +127,9 @@ private:
     this->TakeOfVertices(this->Input.Spacings, mesh.Spacings);
     this->TakeOfVertices(this->Input.Segments, mesh.Segments);
     ReserveWithRoom(size, mesh.Freedoms, mesh.IdealDegrees, mesh.IsEstimate);
-    GrowInSteps(mesh.Freedoms, size, Freedom::Fixed, this->Progress);
-    GrowInSteps(mesh.IdealDegrees, size, IdealInside, this->Progress);
-    GrowInSteps(mesh.IsEstimate, size, std::uint8_t{ 0 }, this->Progress);
+    mesh.Freedoms.resize(size, Freedom::Fixed);
+    mesh.IdealDegrees.resize(size, IdealInside);
+    mesh.IsEstimate.resize(size, std::uint8_t{ 0 });
   }
 
   template <typename Value>
@@ -182,17 +180,15 @@ private:
   {
     const std::size_t triangles = this->Input.Triangles.Regions.size();
     ReserveWithRoom(4 * triangles, to);
-    if (GrowInSteps(to, 4 * triangles, NoId, this->Progress))
-    {
-      this->Progress.ForEach(triangles,
-        [&from, &visit](std::size_t triangle)
+    to.resize(4 * triangles, NoId);
+    this->Progress.ForEach(triangles,
+      [&from, &visit](std::size_t triangle)
+      {
+        for (std::size_t corner = 0; corner < 3; ++corner)
         {
-          for (std::size_t corner = 0; corner < 3; ++corner)
-          {
-            visit(static_cast<Id>(4 * triangle + corner), from[3 * triangle + corner]);
-          }
-        });
-    }
+          visit(static_cast<Id>(4 * triangle + corner), from[3 * triangle + corner]);
+        }
+      });
     ReleaseInSteps(this->Progress, from);
   }
 
@@ -334,17 +330,11 @@ public:
   {
     ReleaseInSteps(this->Progress, this->Mesh.Degrees, this->Mesh.Freedoms, this->Mesh.IdealDegrees,
       this->Mesh.IsEstimate);
-    using Step = void (Writer::*)();
-    double begin = 0.0;
-    for (const auto& [step, end] :
-      std::initializer_list<std::pair<Step, double>>{ { &Writer::NumberAll, NumbersEnd },
-        { &Writer::FindParts, PartsEnd }, { &Writer::WriteVertices, VerticesWrittenEnd },
-        { &Writer::WriteTriangles, TrianglesWrittenEnd }, { &Writer::WriteParts, 1.0 } })
-    {
-      const PulsePart part(this->Progress, begin, end);
-      begin = end;
-      (this->*step)();
-    }
+    DoSteps(*this,
+      { { &Writer::NumberAll, NumbersEnd }, { &Writer::FindParts, PartsEnd },
+        { &Writer::WriteVertices, VerticesWrittenEnd },
+        { &Writer::WriteTriangles, TrianglesWrittenEnd }, { &Writer::WriteParts, 1.0 } },
+      this->Progress);
     output = std::move(this->Output);
     return std::move(this->NewOrigins);
   }
@@ -353,7 +343,7 @@ private:
   void NumberAll()
   {
     this->NumberVertices();
-    GrowInSteps(this->Triangles, this->Mesh.Regions.size(), NoId, this->Progress);
+    this->Triangles.resize(this->Mesh.Regions.size(), NoId);
     Id& count = this->NumberOfTriangles;
     this->Progress.ForEach(this->Triangles.size(),
       [this, &count](std::size_t triangle)
@@ -364,23 +354,17 @@ private:
   // Vertices of the domain stay, whether a triangle uses them or not.
   void NumberVertices()
   {
-    std::vector<Id> sourceOf;
     const Id numberOfOld = std::accumulate(this->Origins.begin(), this->Origins.end(),
       this->Mesh.Geometry.NumberOfVertices(),
       [](Id most, Id origin) { return std::max(most, origin + 1); });
-    const bool isReady =
-      GrowInSteps(sourceOf, static_cast<std::size_t>(numberOfOld), NoId, this->Progress) &&
-      GrowInSteps(this->Numbers, this->Mesh.Points.size(), NoId, this->Progress) &&
-      this->Progress.ForEach(this->Origins.size(),
-        [this, &sourceOf](std::size_t slot)
-        {
-          const Id vertex = static_cast<Id>(slot);
-          sourceOf[this->Origins[slot]] = this->Mesh.IsAlive(vertex) ? vertex : NoId;
-        });
-    if (!isReady)
-    {
-      return;
-    }
+    std::vector<Id> sourceOf(static_cast<std::size_t>(numberOfOld), NoId);
+    this->Numbers.resize(this->Mesh.Points.size(), NoId);
+    this->Progress.ForEach(this->Origins.size(),
+      [this, &sourceOf](std::size_t slot)
+      {
+        const Id vertex = static_cast<Id>(slot);
+        sourceOf[this->Origins[slot]] = this->Mesh.IsAlive(vertex) ? vertex : NoId;
+      });
     this->Sources.reserve(this->Mesh.Points.size());
     this->NewOrigins.reserve(this->Mesh.Points.size());
     this->Progress.ForEach(sourceOf.size(),
@@ -513,7 +497,7 @@ private:
   {
     RelaxationMesh& output = this->Output;
     std::vector<Id>& constraints = output.Triangles.Constraints;
-    GrowInSteps(constraints, output.Triangles.Corners.size(), NoId, this->Progress);
+    constraints.resize(output.Triangles.Corners.size(), NoId);
     this->Progress.ForEach(this->Parts.size(),
       [this, &output, &constraints](std::size_t k)
       {

@@ -5,10 +5,10 @@
 
 #include "../Base/Box.h"
 
-#include <algorithm> // for min, max
-#include <cmath>     // for abs, ilogb, sqrt
+#include <algorithm> // for max
+#include <array>     // for quarters
+#include <cmath>     // for abs
 #include <numeric>   // for iota
-#include <utility>   // for pairs
 
 namespace biting
 {
@@ -51,124 +51,71 @@ public:
     this->Whole.Tree = Orthtree<2>::Around(box.Low, box.High);
     std::vector<Id> all(this->Corners.size() / 3);
     std::iota(all.begin(), all.end(), 0);
-    this->Refine(this->Whole.Tree.Root(), all.data(), all.data() + all.size(), MostCopies);
+    this->Refine(this->Whole.Tree.Root(), all, MostCopies);
     this->Whole.Tree.Finish();
   }
 
 private:
   using Square = Orthtree<2>::Cube;
+  using Quarters = std::array<std::vector<Id>, 4>;
 
-  /// The triangles of 4^Levels squares, row by row.
-  struct Grid
+  void Refine(const Square& square, const std::vector<Id>& triangles, double copies)
   {
-    int Levels;
-    std::size_t Count; ///< of ids in all lists
-    IdLists Lists;
-  };
-
-  void Refine(const Square& square, const Id* first, const Id* last, double copies)
-  {
-    const auto count = static_cast<std::size_t>(last - first);
-    if (count > EntriesPerLeaf && square.Level < DeepestSquare && !this->Beats.HasStopped())
+    if (triangles.size() > EntriesPerLeaf && square.Level < DeepestSquare &&
+      !this->Beats.HasStopped())
     {
-      const Grid grid = this->Deal(square, first, last);
+      const Quarters quarters = this->Deal(square, triangles);
+      std::size_t dealt = 0;
+      for (const std::vector<Id>& quarter : quarters)
+      {
+        dealt += quarter.size();
+      }
       const double copiesBelow =
-        copies * static_cast<double>(count) / static_cast<double>(grid.Count);
+        copies * static_cast<double>(triangles.size()) / static_cast<double>(dealt);
       if (copiesBelow >= 1.0)
       {
-        this->Descend(square, grid, grid.Levels, 0, copiesBelow);
+        this->Whole.Tree.Split(square);
+        for (int quarter = 0; quarter < 4; ++quarter)
+        {
+          this->Refine(this->Whole.Tree.Child(square, quarter), quarters[quarter], copiesBelow);
+        }
         return;
       }
     }
     std::vector<Id>& lists = this->Whole.Lists;
-    this->Whole.Tree.SetLeaf(square, count == 0 ? 0 : static_cast<Id>(lists.size()));
-    lists.insert(lists.end(), count == 0 ? 0 : 1, static_cast<Id>(count));
-    lists.insert(lists.end(), first, last);
+    const bool isEmpty = triangles.empty();
+    this->Whole.Tree.SetLeaf(square, isEmpty ? 0 : static_cast<Id>(lists.size()));
+    lists.insert(lists.end(), isEmpty ? 0 : 1, static_cast<Id>(triangles.size()));
+    lists.insert(lists.end(), triangles.begin(), triangles.end());
   }
 
-  /// Down to the squares of a grid; `place` is the lower left one of those in the square.
-  void Descend(const Square& square, const Grid& grid, int levels, std::size_t place, double copies)
-  {
-    if (levels == 0)
-    {
-      const IdLists::List list = grid.Lists[static_cast<Id>(place)];
-      this->Refine(square, list.begin(), list.end(), copies);
-      return;
-    }
-    this->Whole.Tree.Split(square);
-    for (int quarter = 0; quarter < 4; ++quarter)
-    {
-      const std::size_t row = quarter / 2 == 0 ? 0 : std::size_t(1) << grid.Levels;
-      const std::size_t step = (row + static_cast<std::size_t>(quarter % 2)) << (levels - 1);
-      this->Descend(
-        this->Whole.Tree.Child(square, quarter), grid, levels - 1, place + step, copies);
-    }
-  }
-
-  /// So many that a square has about EntriesPerLeaf, but no smaller than the triangles in the mean.
-  int LevelsOf(const Square& square, const Id* first, const Id* last) const
-  {
-    double sum = 0.0;
-    for (const Id* id = first; id != last; ++id)
-    {
-      const Box2 box = this->BoxOf(*id);
-      sum += std::min(std::max(box.Width(), box.Height()), square.Size);
-    }
-    const auto count = static_cast<double>(last - first);
-    const double squares = std::min(std::sqrt(count / 6.0), square.Size * count / sum);
-    return std::min(std::max(std::ilogb(squares), 1), DeepestSquare - square.Level);
-  }
-
-  /// To each square of a grid the triangles that may meet it, with room for rounding: a triangle
+  /// To each quarter of a square the triangles that may meet it, with room for rounding: a triangle
   /// too many costs nothing but time.
-  Grid Deal(const Square& square, const Id* first, const Id* last)
+  Quarters Deal(const Square& square, const std::vector<Id>& triangles)
   {
-    const int levels = this->LevelsOf(square, first, last);
-    const std::size_t side = std::size_t(1) << levels;
-    const double size = square.Size / static_cast<double>(side);
-    std::vector<std::pair<Id, Id>> dealt;
-    dealt.reserve(2 * static_cast<std::size_t>(last - first));
-    for (const Id* id = first; id != last && this->Beats.Beat(1); ++id)
+    Quarters quarters;
+    const double half = 0.5 * square.Size;
+    const double reach = (0.5 + Room) * half;
+    for (std::size_t k = 0; k < triangles.size() && this->Beats.Beat(1); ++k)
     {
-      const Point2 corners[3] = { this->CornerOf(*id, 0), this->CornerOf(*id, 1),
-        this->CornerOf(*id, 2) };
-      const Box2 box = this->BoxOf(*id);
-      const auto numberAt = [&square, size, side](const Point2& place, std::size_t d, double room)
+      const Id id = triangles[k];
+      const Point2 corners[3] = { this->CornerOf(id, 0), this->CornerOf(id, 1),
+        this->CornerOf(id, 2) };
+      Box2 box = Box2::Around(corners[0], corners[1]);
+      box.Add(corners[2]);
+      for (std::size_t quarter = 0; quarter < 4; ++quarter)
       {
-        const double number = (place[d] - square.Low[d]) / size + room;
-        return static_cast<std::size_t>(
-          std::min(std::max(number, 0.0), static_cast<double>(side - 1)));
-      };
-      for (std::size_t row = numberAt(box.Low, 1, -Room); row <= numberAt(box.High, 1, Room); ++row)
-      {
-        for (std::size_t column = numberAt(box.Low, 0, -Room);
-             column <= numberAt(box.High, 0, Room); ++column)
+        const Point2 center =
+          square.At({ quarter % 2 == 0 ? 0.25 : 0.75, quarter < 2 ? 0.25 : 0.75 });
+        Box2 around = Box2::Around(center, center);
+        around.Grow(reach);
+        if (around.Meets(box) && MayMeet(corners, center, reach))
         {
-          const Point2 center = square.Low +
-            size * Point2{ static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5 };
-          if (MayMeet(corners, center, (0.5 + Room) * size))
-          {
-            dealt.emplace_back(static_cast<Id>(row * side + column), *id);
-          }
+          quarters[quarter].push_back(id);
         }
       }
     }
-    return { levels, dealt.size(),
-      IdLists(side * side,
-        [&dealt](const auto& add)
-        {
-          for (const auto& [place, id] : dealt)
-          {
-            add(place, id);
-          }
-        }) };
-  }
-
-  Box2 BoxOf(Id triangle) const
-  {
-    Box2 box = Box2::Around(this->CornerOf(triangle, 0), this->CornerOf(triangle, 1));
-    box.Add(this->CornerOf(triangle, 2));
-    return box;
+    return quarters;
   }
 
   /// Whether no side has all of the square on its outside.

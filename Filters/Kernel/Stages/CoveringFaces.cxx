@@ -4,6 +4,7 @@
 #include "CoveringFaces.h"
 
 #include "../Base/DistanceToSegment.h"
+#include "../Base/Tasks.h"
 #include "../Domain/AreaSum.h"
 #include "../Predicates/Predicates.h"
 #include "../Quality/TriangleLinks.h"

@@ -100,8 +100,8 @@ void CloseUp(const Numbering& used, std::vector<Value>& values, Pulse& pulse)
 void TellVertices(const Domain& domain, const BitingResult& bites, BitingMesh& mesh, Pulse& pulse)
 {
   const std::size_t size = bites.Points.size();
-  GrowInSteps(mesh.Kinds, size, VertexKind::Interior, pulse);
-  GrowInSteps(mesh.OriginalPoints, size, Id{ NoId }, pulse);
+  mesh.Kinds.resize(size, VertexKind::Interior);
+  mesh.OriginalPoints.resize(size, Id{ NoId });
   ForEachAtOnce(pulse, std::min(mesh.Kinds.size(), mesh.OriginalPoints.size()),
     [&domain, &bites, &mesh](std::size_t place)
     {

@@ -13,6 +13,7 @@
 
 #include <algorithm> // for max, min
 #include <map>       // for what is found
+#include <tuple>     // for tie
 
 namespace biting
 {
@@ -40,6 +41,12 @@ struct NearMiss
   double Distance;
   Id Own;   ///< a segment at the vertex, or the vertex as an embedded point
   Id Other; ///< the same of what it nearly meets
+
+  bool IsBefore(const NearMiss& other) const
+  {
+    return std::tie(this->Distance, this->Own, this->Other) <
+      std::tie(other.Distance, other.Own, other.Other);
+  }
 };
 
 struct NearMisses
@@ -215,7 +222,7 @@ private:
   void Add(Id vertex, const NearMiss& miss)
   {
     NearMiss& nearest = this->Misses.Nearest.emplace(vertex, miss).first->second;
-    nearest = miss.Distance < nearest.Distance ? miss : nearest;
+    nearest = miss.IsBefore(nearest) ? miss : nearest;
     this->Misses.Largest = std::max(this->Misses.Largest, miss.Distance);
   }
 

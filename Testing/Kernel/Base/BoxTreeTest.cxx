@@ -5,7 +5,6 @@
 
 #include "../Support/Dice.h"
 #include "../Support/Monitors.h"
-#include "../Support/TestThreads.h"
 
 #include <gtest/gtest.h>
 
@@ -123,29 +122,4 @@ TEST(BoxTree, OfNothingFindsNothing)
   const BoxTree<Item> stopped(MakeItems(20000), pulse);
   EXPECT_TRUE(stopped.Items().empty());
   stopped.Search({ 0.5, 0.5 }, 1.0, std::numeric_limits<double>::infinity(), fail);
-}
-
-/// Levels whose nodes are tasks, then subtrees that are.
-TEST(BoxTree, IsTheSameOnAnyNumberOfThreads)
-{
-  const std::vector<Item> items = MakeItems(70001);
-  const auto visited = [](const BoxTree<Item>& tree)
-  {
-    std::vector<int> numbers;
-    tree.Search({ 0.4, 0.6 }, 1.0, 0.01,
-      [&numbers](const Item& item, double limit)
-      {
-        numbers.push_back(item.Number);
-        return limit;
-      });
-    return numbers;
-  };
-  const std::vector<int> expected = visited(TreeOf(items));
-  ASSERT_GT(expected.size(), 10u);
-  for (const int threads : { 2, 3, 8 })
-  {
-    MonitorWithThreads monitor(threads);
-    Pulse pulse(monitor);
-    EXPECT_EQ(visited(BoxTree<Item>(items, pulse)), expected);
-  }
 }

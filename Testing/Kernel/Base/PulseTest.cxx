@@ -59,8 +59,6 @@ TEST(Pulse, DoesNothingAndAsksNobodyOnceItWasStopped)
   EXPECT_FALSE(pulse.Beat());
   EXPECT_FALSE(pulse.Ask());
   EXPECT_FALSE(pulse.ForEach(10, [](std::size_t) { ADD_FAILURE(); }));
-  std::vector<int> values;
-  EXPECT_FALSE(GrowInSteps(values, 10, 7, pulse));
   EXPECT_TRUE(pulse.HasStopped());
   EXPECT_EQ(monitor.Calls, 1);
 }
@@ -91,19 +89,6 @@ TEST(Pulse, NeverGoesBack)
   pulse.SetFraction(0.25);
   pulse.Ask();
   EXPECT_EQ(monitor.Fractions, (std::vector<double>{ 0.5, 0.5 }));
-}
-
-TEST(GrowInSteps, AddsTheValueAndKeepsWhatIsThere)
-{
-  StoppingMonitor monitor(ManyCalls);
-  Pulse pulse(monitor);
-  std::vector<int> values{ 1, 2 };
-  EXPECT_TRUE(GrowInSteps(values, 1000000, 7, pulse));
-  ASSERT_EQ(values.size(), 1000000u);
-  EXPECT_EQ(values[1], 2);
-  EXPECT_EQ(values[2], 7);
-  EXPECT_EQ(values.back(), 7);
-  EXPECT_GE(monitor.Calls, 3);
 }
 
 TEST(PartOfStage, ScalesFractionsAndAsksNobodyOnceItWasStopped)
