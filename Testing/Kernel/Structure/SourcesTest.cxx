@@ -168,7 +168,7 @@ const std::map<std::string, Budget> Budgets = {
   { "Kernel/Space/Relaxation", { 950, 7 } },
   { "Kernel/Space/Interior", { 1250, 17 } },
   { "Kernel/Space/Finishing", { 2750, 16 } },
-  { "Kernel/Space/Meshing", { 2150, 14 } },
+  { "Kernel/Space/Meshing", { 2165, 14 } },
   { "Kernel/Space/Quality", { 400, 2 } },
   { "Kernel/Space/Surface", { 3400, 20 } },
   { "Kernel/Space/Union", { 1170, 5 } },

@@ -76,10 +76,25 @@ BitingSurface MeshSurface(const CheckedSurface& surface, const SurfaceMesherOpti
 {
   Pulse pulse(monitor);
   CertifiedSurface certified;
-  certified.RoundsForTurns = 2;
-  certified.HasBalls = false;
   BitingSurface mesh;
-  if (CertifySurface(surface, options, SidesOf(surface), certified, problems, monitor))
+  ProblemList found;
+  bool isDone = false;
+  for (const int rounds : { 2, 0 }) // without HalveAtTurns where that does not suit
+  {
+    if (rounds > 0 || found.Has(ProblemCode::TooThin) || found.Has(ProblemCode::TooSharp))
+    {
+      found = {};
+      certified = {};
+      certified.RoundsForTurns = rounds;
+      certified.HasBalls = false;
+      isDone = CertifySurface(surface, options, SidesOf(surface), certified, found, monitor);
+    }
+  }
+  for (const ProblemGroup& group : found.Groups())
+  {
+    problems.Add(group);
+  }
+  if (isDone)
   {
     monitor.BeginStage("Relaxing");
     std::vector<TriangleSides>().swap(certified.Boundary.Sides);
