@@ -618,7 +618,7 @@ void CapByCurvature(SurfaceGround& ground, const SurfaceMesh& input, double tole
   }
 }
 
-void HalveAtTurns(SurfaceGround& ground, Pulse& pulse)
+bool HalveAtTurns(SurfaceGround& ground, Pulse& pulse)
 {
   constexpr double MostTurn = 1.2; // a facet across such a ridge is .2 f from it
   constexpr double Radius = 0.58;  // of a facet of edges f
@@ -635,7 +635,7 @@ void HalveAtTurns(SurfaceGround& ground, Pulse& pulse)
         sizes[v] *= 0.5;
       }
     });
-  ground.Sizes = std::move(sizes);
+  return std::exchange(ground.Sizes, sizes) != sizes;
 }
 
 void GradeSizes(SurfaceGround& ground, double gradation, Pulse& pulse)

@@ -32,8 +32,8 @@ void CapByCurvature(
   SurfaceGround& ground, const SurfaceMesh& input, double tolerance, Pulse& pulse);
 
 /// Halves f where it is about LeastShare and the surface turns by more than 69 degrees (but at
-/// features) in the ball of a facet: turns too sharp for CapByCurvature.
-void HalveAtTurns(SurfaceGround& ground, Pulse& pulse);
+/// features) in the ball of a facet, too sharply for CapByCurvature. False: nowhere.
+bool HalveAtTurns(SurfaceGround& ground, Pulse& pulse);
 
 /// Lowers f until it grows by no more than `gradation` along the edges of the ground; 0: by no more
 /// than 0.3 from where it is capped.

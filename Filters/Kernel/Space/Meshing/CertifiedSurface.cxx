@@ -15,7 +15,7 @@
 #include <cmath>     // for isfinite, sqrt
 #include <limits>    // for counts
 #include <numeric>   // for exclusive_scan
-#include <utility>   // for move
+#include <utility>   // for exchange, move
 
 namespace biting
 {
@@ -251,11 +251,8 @@ private:
     }
     FlagFeatures(ground, this->Options.Regions, this->Options.FeatureAngle, this->Beats);
     const double uniform = 0.02 * this->Surface.Mesh.Bounds().Diagonal();
-    this->Spacing = this->Options.Spacing;
-    if (!this->Spacing)
-    {
-      this->Spacing = [uniform](const Point3&) { return uniform; };
-    }
+    this->Spacing =
+      this->Options.Spacing ? this->Options.Spacing : [uniform](const Point3&) { return uniform; };
     for (const Point3& place : ground.Mesh.Points)
     {
       const double size = this->Spacing(place);
@@ -288,10 +285,11 @@ private:
     {
       this->CapSizes();
     }
-    int left = this->Options.BoundaryTolerance > 0.0 ? this->Result.RoundsForTurns : 0;
-    while (left-- > 0 && !this->Problems.HasErrors())
+    int& rounds = this->Result.RoundsForTurns; // those that halve f
+    const int wanted = std::exchange(rounds, 0);
+    for (; rounds < wanted && !this->Problems.HasErrors() && HalveAtTurns(ground, this->Beats);
+         ++rounds)
     {
-      HalveAtTurns(ground, this->Beats);
       this->Regrade();
     }
   }

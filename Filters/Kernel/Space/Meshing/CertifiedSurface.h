@@ -25,7 +25,7 @@ struct CertifiedSurface
   BoxTree<SurfaceItem, 3> Tree; ///< of the surface
   SurfaceBoundary Boundary;     ///< without offences
   double AskedVertices = 0.0;   ///< about how many f as given asks for
-  int RoundsForTurns = 0;       ///< as given: so many halve f at sharp turns (HalveAtTurns)
+  int RoundsForTurns = 0;       ///< as given: most calls of HalveAtTurns; then, those that halve f
   bool HasBalls = true;         ///< as given: the boundary has BallCenters
 };
 

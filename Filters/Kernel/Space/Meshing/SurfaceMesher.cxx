@@ -7,7 +7,7 @@
 #include "CertifiedSurface.h"
 
 #include <algorithm> // for fill_n
-#include <utility>   // for move
+#include <utility>   // for exchange, move
 
 namespace biting
 {
@@ -71,30 +71,32 @@ void Relax(CertifiedSurface& certified, bool isWanted, BitingSurface& mesh, Puls
   certified.Bites.Triangles = std::move(relaxed.Triangles);
 }
 
+/// With f halved at sharp turns; without, where that does not suit.
+bool Certify(const CheckedSurface& surface, const SurfaceMesherOptions& options,
+  CertifiedSurface& certified, ProblemList& problems, Monitor& monitor)
+{
+  const ProblemList before = problems;
+  bool isDone = false;
+  int rounds = options.BoundaryTolerance > 0.0 ? 2 : 0;
+  do
+  {
+    problems = before;
+    certified = {};
+    certified.RoundsForTurns = std::exchange(rounds, 0);
+    certified.HasBalls = false;
+    isDone = CertifySurface(surface, options, SidesOf(surface), certified, problems, monitor);
+  } while (certified.RoundsForTurns > 0 &&
+    (problems.Has(ProblemCode::TooThin) || problems.Has(ProblemCode::TooSharp)));
+  return isDone;
+}
+
 BitingSurface MeshSurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
   ProblemList& problems, Monitor& monitor)
 {
   Pulse pulse(monitor);
   CertifiedSurface certified;
   BitingSurface mesh;
-  ProblemList found;
-  bool isDone = false;
-  for (const int rounds : { 2, 0 }) // without HalveAtTurns where that does not suit
-  {
-    if (rounds > 0 || found.Has(ProblemCode::TooThin) || found.Has(ProblemCode::TooSharp))
-    {
-      found = {};
-      certified = {};
-      certified.RoundsForTurns = rounds;
-      certified.HasBalls = false;
-      isDone = CertifySurface(surface, options, SidesOf(surface), certified, found, monitor);
-    }
-  }
-  for (const ProblemGroup& group : found.Groups())
-  {
-    problems.Add(group);
-  }
-  if (isDone)
+  if (Certify(surface, options, certified, problems, monitor))
   {
     monitor.BeginStage("Relaxing");
     std::vector<TriangleSides>().swap(certified.Boundary.Sides);
