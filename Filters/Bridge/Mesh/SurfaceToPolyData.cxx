@@ -18,7 +18,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm> // for max, min, sort, transform, unique
-#include <cmath>     // for isnan, lround
+#include <cmath>     // for isnan, round
 #include <numeric>   // for iota
 #include <utility>   // for edges
 
@@ -258,10 +258,9 @@ std::string CapsText(double asked, std::size_t made)
   constexpr double Worth = 2.0;
   constexpr double Few = 100.0; // any body has some
   const auto count = static_cast<double>(made);
-  return count > Worth * asked + Few
-    ? "Walls, features and curvature made " + std::to_string(std::lround(count / asked)) +
-      " times the vertices that the spacing asks for.\n"
-    : "";
+  return count > Worth * asked + Few ? "Walls, features and curvature made " +
+      Figure(std::round(count / asked)) + " times the vertices that the spacing asks for.\n"
+                                     : "";
 }
 
 std::string BitingSurfaceToPolyData(const BitingSurface& mesh, const CheckedSurface& surface,

@@ -163,7 +163,7 @@ vtkSmartPointer<vtkDataObject> Unpack(ByteReader& bytes)
   bytes.Take(count);
   const auto object = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(type));
   auto* tree = vtkDataObjectTree::SafeDownCast(object);
-  for (unsigned int child = 0; child < count; ++child)
+  for (unsigned int child = 0; tree && child < count; ++child)
   {
     std::vector<char> name;
     bytes.Take(name);

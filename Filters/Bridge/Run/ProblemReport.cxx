@@ -13,8 +13,8 @@
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>   // for all_of, any_of
-#include <cmath>       // for isfinite
+#include <algorithm>   // for any_of
+#include <array>       // for the wordings
 #include <numeric>     // for iota
 #include <type_traits> // for decay
 #include <utility>     // for declval

@@ -331,7 +331,7 @@ private:
     this->Result.Corners.resize(3 * size, NoId);
     constexpr std::size_t FarAhead = 24;
     constexpr std::size_t Ahead = 12;
-    this->Beats.ForEach(this->Beats.HasStopped() ? 0 : size,
+    this->Beats.ForEach(size,
       [this, last = size - 1](std::size_t number)
       {
         const Id far = HalfEdgeMesh::FirstEdge(this->Inside[std::min(number + FarAhead, last)]);

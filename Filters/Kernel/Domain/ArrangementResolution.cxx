@@ -12,7 +12,7 @@
 #include <cmath>      // for abs
 #include <cstdint>    // for masks and counts
 #include <functional> // for less
-#include <sstream>    // for a count
+#include <string>     // for to_string
 #include <utility>    // for pair
 
 namespace biting
@@ -179,13 +179,11 @@ bool ResolutionReport::Refuse(ProblemCode code)
 /// One place stands for all.
 bool ResolutionReport::RefuseCrowd(const Meetings& found)
 {
-  std::ostringstream count;
-  count.precision(2);
-  count << "one of more than " << static_cast<double>(found.Splits.size() + found.Crossings.size())
-        << " crossings";
   this->RememberLast(found);
   this->FirstDefect = this->LastDefect;
-  this->FirstDefect.Detail = count.str();
+  this->FirstDefect.Detail = "one of " +
+    std::to_string(found.Splits.size() + found.Crossings.size()) +
+    " places or more where segments meet";
   return this->Refuse(ProblemCode::NotResolved);
 }
 

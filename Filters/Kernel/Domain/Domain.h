@@ -104,8 +104,8 @@ struct DomainOptions
   std::function<double(const Point2&)> GivenSpacing;
 
   /// With more pairs of segments that cross, the input is refused with ProblemCode::NotResolved:
-  /// they cost time and 100 bytes each, and the mesh would have as many vertices. So is
-  /// one of which very many segments lie along one line: 1400 that all overlap are too many.
+  /// they cost time and 100 bytes each, and the mesh would have as many vertices. So is one of
+  /// which very many segments lie along one line: 1400 that all overlap are too many.
   std::int64_t MaximumNumberOfCrossings = 1000000;
 };
 

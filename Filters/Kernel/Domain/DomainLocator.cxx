@@ -5,7 +5,7 @@
 
 #include "../Predicates/Predicates.h"
 
-#include <algorithm> // for clamp, max, sort, unique
+#include <algorithm> // for clamp, max, min, sort, unique
 #include <cmath>     // for abs, sqrt
 
 namespace biting

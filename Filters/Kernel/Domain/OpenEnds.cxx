@@ -292,7 +292,8 @@ void EndJoiner::HoldWhatTouches()
 {
   for (const Id end : this->Ends)
   {
-    const bool isMoved = this->Targets[end] != end || this->Places[end] != this->At(end);
+    const bool isMoved =
+      this->Beats.Beat() && (this->Targets[end] != end || this->Places[end] != this->At(end));
     for (const Foot& foot : isMoved ? this->Around.VerticesOnSegmentAt(end) : std::vector<Foot>())
     {
       if (this->ReachOf(foot.End) == 0.0)

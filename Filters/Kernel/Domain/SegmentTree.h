@@ -112,12 +112,16 @@ public:
           [&own, &isWanted, &visitor](const Item& other)
           {
             const bool isDone = isWanted[other.Segment] && other.Segment < own.Segment;
-            const bool isPair = !isDone && !own.Ends.Meets(other.Ends) && visitor.GoesOn();
-            if (isPair)
+            if (isDone || own.Ends.Meets(other.Ends))
+            {
+              return true;
+            }
+            const bool goesOn = visitor.GoesOn();
+            if (goesOn)
             {
               visitor(own.Segment, other.Segment);
             }
-            return true;
+            return goesOn;
           });
       }
     }

@@ -51,7 +51,7 @@ public:
     this->Whole.Tree = Orthtree<2>::Around(box.Low, box.High);
     std::vector<Id> all(this->Corners.size() / 3);
     std::iota(all.begin(), all.end(), 0);
-    this->Refine(this->Whole.Tree.Root(), all, MostCopies);
+    this->Refine(this->Whole.Tree.Root(), std::move(all), MostCopies);
     this->Whole.Tree.Finish();
   }
 
@@ -59,12 +59,12 @@ private:
   using Square = Orthtree<2>::Cube;
   using Quarters = std::array<std::vector<Id>, 4>;
 
-  void Refine(const Square& square, const std::vector<Id>& triangles, double copies)
+  void Refine(const Square& square, std::vector<Id> triangles, double copies)
   {
     if (triangles.size() > EntriesPerLeaf && square.Level < DeepestSquare &&
       !this->Beats.HasStopped())
     {
-      const Quarters quarters = this->Deal(square, triangles);
+      Quarters quarters = this->Deal(square, triangles);
       std::size_t dealt = 0;
       for (const std::vector<Id>& quarter : quarters)
       {
@@ -74,10 +74,12 @@ private:
         copies * static_cast<double>(triangles.size()) / static_cast<double>(dealt);
       if (copiesBelow >= 1.0)
       {
+        std::vector<Id>().swap(triangles);
         this->Whole.Tree.Split(square);
         for (int quarter = 0; quarter < 4; ++quarter)
         {
-          this->Refine(this->Whole.Tree.Child(square, quarter), quarters[quarter], copiesBelow);
+          this->Refine(
+            this->Whole.Tree.Child(square, quarter), std::move(quarters[quarter]), copiesBelow);
         }
         return;
       }

@@ -9,10 +9,10 @@
 #include "../Predicates/Predicates.h"
 #include "../Quality/TriangleLinks.h"
 
-#include <algorithm> // for min
-#include <cmath>     // for abs, nextafter
-#include <cstddef>   // for size_t
-#include <optional>  // for the uppermost face
+#include <cmath>    // for abs, nextafter
+#include <cstddef>  // for size_t
+#include <map>      // for counts
+#include <optional> // for the uppermost face
 
 namespace biting
 {

@@ -12,9 +12,8 @@
 #include "../Delaunay/ConstrainedEdges.h"
 #include "../Quality/Quality.h"
 
-#include <algorithm> // for min
-#include <cstdint>   // for flags
-#include <utility>   // for move, swap
+#include <cstdint> // for flags
+#include <utility> // for move, swap
 
 namespace biting
 {
@@ -102,7 +101,7 @@ void TellVertices(const Domain& domain, const BitingResult& bites, BitingMesh& m
   const std::size_t size = bites.Points.size();
   mesh.Kinds.resize(size, VertexKind::Interior);
   mesh.OriginalPoints.resize(size, Id{ NoId });
-  ForEachAtOnce(pulse, std::min(mesh.Kinds.size(), mesh.OriginalPoints.size()),
+  ForEachAtOnce(pulse, size,
     [&domain, &bites, &mesh](std::size_t place)
     {
       const Id vertex = static_cast<Id>(place);
