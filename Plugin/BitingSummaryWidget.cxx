@@ -35,6 +35,9 @@ BitingSummaryWidget::BitingSummaryWidget(
   text->setTextFormat(Qt::PlainText);
   text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   text->setWordWrap(true);
+  QSizePolicy policy = text->sizePolicy();
+  policy.setHorizontalPolicy(QSizePolicy::Ignored); // long words do not widen the panel
+  text->setSizePolicy(policy);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(text);
@@ -70,7 +73,8 @@ bool BitingSummaryWidget::eventFilter(QObject* view, QEvent* event)
 
 void BitingSummaryWidget::EndLinesInSight()
 {
-  if (QScrollArea* panel = PanelOf(this))
+  QScrollArea* panel = PanelOf(this);
+  if (panel && panel->widget())
   {
     const int right = this->mapTo(panel->widget(), QPoint()).x() + this->width();
     const int hidden = std::max(0, right - panel->viewport()->width());
