@@ -246,13 +246,14 @@ private:
   {
     constexpr double MostWidth = 0.8;
     constexpr double LeastWidth = 0.3;
-    constexpr double MostSlope = 0.6; // of chains that meet in a corner
+    // Of chains that meet in a corner. Equal ways from it keep balls on borders out of each other.
+    const double mostSlope = this->Ground.Sides.empty() ? 0.0 : 0.6;
     const double size = this->Ways.SizeOn(own.Chain, own.Way);
     const double length = this->Ways.LengthOf(own.Chain);
     const double reach = (after - before + 2.0) * size;
     bool isTooNear = false;
     this->Tree.Search(own.Place, 1.0, reach,
-      [this, &own, &ways, &isTooNear, before, after, size, length](
+      [this, &own, &ways, &isTooNear, before, after, size, length, mostSlope](
         const MarkItem& item, double limit)
       {
         const ChainMark& other = this->Marks[item.Mark];
@@ -263,7 +264,7 @@ private:
           const double width = foot.second / size;
           if (foot.first > before && foot.first < after && width < MostWidth &&
             (this->Ways.IsRing(own.Chain) ||
-              width < MostSlope * std::min(foot.first, length - foot.first)))
+              width < mostSlope * std::min(foot.first, length - foot.first)))
           {
             ways.push_back(foot.first);
             isTooNear = isTooNear || width < LeastWidth;

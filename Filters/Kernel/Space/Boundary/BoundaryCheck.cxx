@@ -42,6 +42,8 @@ public:
   }
 
 private:
+  using Piece = std::pair<std::pair<Id, Id>, SurfaceEdgeKind>;
+
   void Tell(BoundaryFault fault, Id bite, Id other)
   {
     this->Boundary.Offences.push_back({ fault, bite, other });
@@ -52,30 +54,23 @@ private:
     const std::vector<Id>& ends = this->Bites.PieceEnds;
     for (std::size_t k = 0; k < ends.size(); k += 2)
     {
-      const std::pair<Id, Id> piece = std::minmax(ends[k], ends[k + 1]);
-      this->Pieces.push_back(piece);
       const SurfaceEdgeKind kind = this->Ground.Chains.Kinds[At(this->Bites.PieceChains[k / 2])];
-      if (kind == SurfaceEdgeKind::Feature)
-      {
-        this->Turning.push_back(piece);
-      }
-      if (kind == SurfaceEdgeKind::Border)
-      {
-        this->Borders.push_back(piece);
-      }
+      this->Pieces.push_back({ std::minmax(ends[k], ends[k + 1]), kind });
     }
     std::sort(this->Pieces.begin(), this->Pieces.end());
-    std::sort(this->Turning.begin(), this->Turning.end());
-    std::sort(this->Borders.begin(), this->Borders.end());
   }
 
-  bool IsPiece(Id a, Id b) const { return this->IsAmong(this->Pieces, a, b); }
+  bool IsPiece(Id a, Id b) const
+  {
+    return this->IsPiece(a, b, SurfaceEdgeKind::Feature) ||
+      this->IsPiece(a, b, SurfaceEdgeKind::Border) ||
+      this->IsPiece(a, b, SurfaceEdgeKind::NonManifold);
+  }
 
-  bool IsAmong(const std::vector<std::pair<Id, Id>>& pieces, Id a, Id b) const
+  bool IsPiece(Id a, Id b, SurfaceEdgeKind kind) const
   {
     return a < this->Bites.NumberOnLines && b < this->Bites.NumberOnLines &&
-      std::binary_search(
-        pieces.begin(), pieces.end(), std::pair<Id, Id>(std::min(a, b), std::max(a, b)));
+      std::binary_search(this->Pieces.begin(), this->Pieces.end(), Piece(std::minmax(a, b), kind));
   }
 
   Id Next(Id slot) const { return this->Boundary.Corners[NextSlotOf(At(slot))]; }
@@ -105,8 +100,8 @@ private:
       }
       const bool isPiece = this->IsPiece(bite, next);
       if (((before != 1 || beside != 1) &&
-            (!isPiece || this->IsAmong(this->Turning, bite, next))) ||
-        (before + beside != 1 && this->IsAmong(this->Borders, bite, next)))
+            (!isPiece || this->IsPiece(bite, next, SurfaceEdgeKind::Feature))) ||
+        (before + beside != 1 && this->IsPiece(bite, next, SurfaceEdgeKind::Border)))
       {
         this->Tell(BoundaryFault::NonManifold, bite, next);
         return;
@@ -186,9 +181,7 @@ private:
   IdLists FacetsAt; ///< of bites: the slots of facets
   std::vector<std::pair<Id, Id>>
     Fan; ///< of the facets at a bite: the next corner, the previous one
-  std::vector<std::pair<Id, Id>> Pieces;
-  std::vector<std::pair<Id, Id>> Turning; ///< those of turning edges
-  std::vector<std::pair<Id, Id>> Borders; ///< those of borders
+  std::vector<Piece> Pieces;
 };
 
 } // namespace

@@ -32,12 +32,23 @@ struct DualEdge
   double End;
 };
 
+std::array<Point3, 3> CornersOf(const TetMesh& mesh, Id facet)
+{
+  return { mesh.PointAt(mesh.FacetCorner(facet, 0)), mesh.PointAt(mesh.FacetCorner(facet, 1)),
+    mesh.PointAt(mesh.FacetCorner(facet, 2)) };
+}
+
+Point3 MiddleOf(const TetMesh& mesh, Id facet)
+{
+  const auto [a, b, c] = CornersOf(mesh, facet);
+  return (1.0 / 3.0) * (a + b + c);
+}
+
 /// The unit normal of the facet, away from its cell.
 Point3 NormalOf(const TetMesh& mesh, Id facet)
 {
-  const Point3& first = mesh.PointAt(mesh.FacetCorner(facet, 0));
-  const Point3 normal = Cross(mesh.PointAt(mesh.FacetCorner(facet, 1)) - first,
-    mesh.PointAt(mesh.FacetCorner(facet, 2)) - first);
+  const auto [a, b, c] = CornersOf(mesh, facet);
+  const Point3 normal = Cross(b - a, c - a);
   return (1.0 / Length(normal)) * normal;
 }
 
@@ -87,19 +98,17 @@ public:
 
   SurfaceBoundary Run()
   {
-    constexpr int MostRounds = 4;
     this->Triangulate();
-    if (this->Ground.Sides.empty())
+    const bool isSolid = !this->Ground.Sides.empty();
+    const int rounds = isSolid ? 4 : 1;
+    if (isSolid)
     {
-      this->TakeMeetings();
-      CheckBoundary(this->Ground, this->Bites, this->Result, this->Beats);
-      return std::move(this->Result);
+      this->LabelCells();
     }
-    this->LabelCells();
-    for (int round = 0; round < MostRounds && (round == 0 || this->LabelAnew()); ++round)
+    for (int round = 0; round < rounds && (round == 0 || this->LabelAnew()); ++round)
     {
       this->Result = {};
-      this->TakeWalls();
+      isSolid ? this->TakeWalls() : this->TakeMeetings();
       CheckBoundary(this->Ground, this->Bites, this->Result, this->Beats);
     }
     return std::move(this->Result);
@@ -162,18 +171,15 @@ private:
     this->Cells = triangulation.TakeMesh();
   }
 
-  WeightedPoint CornerAt(Id cell, Id k) const
-  {
-    const Id vertex = this->Cells.Corners[At(4 * cell + k)];
-    return { this->Cells.PointAt(vertex), this->Cells.WeightAt(vertex) };
-  }
-
   /// The power center of a tetrahedron.
   Point3 CenterOf(Id cell) const
   {
-    const WeightedPoint first = this->CornerAt(cell, 0);
-    return first.Place +
-      PowerCenter(first, this->CornerAt(cell, 1), this->CornerAt(cell, 2), this->CornerAt(cell, 3));
+    const auto corner = [this, cell](Id k) -> WeightedPoint
+    {
+      const Id vertex = this->Cells.Corners[At(4 * cell + k)];
+      return { this->Cells.PointAt(vertex), this->Cells.WeightAt(vertex) };
+    };
+    return corner(0).Place + PowerCenter(corner(0), corner(1), corner(2), corner(3));
   }
 
   void LabelCells()
@@ -278,7 +284,7 @@ private:
       {
         const Id label = labelOf(facet);
         const Id other = label == 0 ? 0 : labelOf(mesh.Twins[At(facet)]);
-        return label != other && IsBehind(label, other) && this->IsOfBites(facet);
+        return label != other && IsBehind(label, other);
       },
       [this, &mesh, &labelOf](Id facet, std::size_t place)
       {
@@ -296,11 +302,12 @@ private:
       });
   }
 
-  bool IsOfBites(Id facet) const
+  /// NoId: far points.
+  std::array<Id, 3> BitesOf(Id facet) const
   {
-    const auto isBite = [this, facet](int k)
-    { return this->BiteOf[At(this->Cells.FacetCorner(facet, k))] != NoId; };
-    return isBite(0) && isBite(1) && isBite(2);
+    const auto bite = [this, facet](int k)
+    { return this->BiteOf[At(this->Cells.FacetCorner(facet, k))]; };
+    return { bite(0), bite(1), bite(2) };
   }
 
   void TakeMeetings()
@@ -308,47 +315,67 @@ private:
     const TetMesh& mesh = this->Cells;
     // A facet with a longer side has no dual edge near the surface, of which each place is nearer
     // to a bite.
-    const auto isSmall = [this, &mesh](Id facet)
-    {
-      const auto corner = [&mesh, facet](int k)
-      { return mesh.PointAt(mesh.FacetCorner(facet, k)); };
-      return std::max(Distance(corner(0), corner(1)),
-               std::max(Distance(corner(1), corner(2)), Distance(corner(2), corner(0)))) <=
-        2.0 * this->ReachOf(facet);
-    };
     this->TakeFacets(
-      [this, &mesh, &isSmall](Id facet)
+      [this, &mesh](Id facet)
       {
         const Id twin = mesh.Twins[At(facet)];
-        return this->IsOfBites(facet) && (facet < twin || mesh.IsGhost(TetMesh::CellOf(twin))) &&
-          isSmall(facet) && this->Meet(this->DualOf(facet)).second % 2 == 1;
+        const auto [a, b, c] = CornersOf(mesh, facet);
+        return (facet < twin || mesh.IsGhost(TetMesh::CellOf(twin))) &&
+          std::max({ Distance(a, b), Distance(b, c), Distance(c, a) }) <=
+          2.0 * this->ReachOf(facet) &&
+          this->MeetOnce(facet, this->DualOf(facet)) != NoId;
       },
       [this](Id facet, std::size_t place)
       {
         const DualEdge dual = this->DualOf(facet);
-        const Id met = this->Meet(dual).first;
+        const Id met = this->MeetOnce(facet, dual);
         const bool isTurned = Dot(dual.Normal, this->Ground.Normals[At(met)]) < 0.0;
         const Id below = this->TriangleBelow(facet, met, (isTurned ? -1.0 : 1.0) * dual.Normal);
         this->Put(facet, below, isTurned, place);
       });
   }
 
-  /// Takes the facets of tetrahedra for which isWall(facet), in their order: put(facet, place).
+  /// The triangle that the dual edge of the facet meets; NoId if it meets an even number. That of a
+  /// facet between lines may pass beside a border: it meets the triangle at the facet's middle if
+  /// it meets the plane of that.
+  Id MeetOnce(Id facet, const DualEdge& dual) const
+  {
+    const auto [a, b, c] = this->BitesOf(facet);
+    const bool isBetween = std::max({ a, b, c }) < this->Bites.NumberOnLines;
+    const double reach = this->ReachOf(facet);
+    const DualEdge middle{ dual.Normal, MiddleOf(this->Cells, facet), -reach, reach };
+    const auto [met, count] = this->Meet(isBetween ? middle : dual);
+    if (met == NoId || !isBetween)
+    {
+      return count % 2 == 1 ? met : NoId;
+    }
+    const LineMeeting line(this->Input.Triangle(At(met)), dual);
+    const double height = line.Rise / line.Sum;
+    return height >= dual.Begin && height <= dual.End ? met : NoId;
+  }
+
+  /// Takes the facets of tetrahedra and bites for which isWall(facet), in their order:
+  /// put(facet, place).
   template <typename Question, typename Step>
   void TakeFacets(const Question& isWall, const Step& put)
   {
     constexpr std::size_t CellsPerTask = 512;
     const TetMesh& mesh = this->Cells;
     const std::size_t cells = At(mesh.NumberOfSlots());
+    const auto isOfBites = [this](Id facet)
+    {
+      const auto [a, b, c] = this->BitesOf(facet);
+      return std::min({ a, b, c }) != NoId;
+    };
     std::vector<std::vector<Id>> parts((cells + CellsPerTask - 1) / CellsPerTask);
     DoTasks(this->Beats, parts.size(),
-      [&mesh, &isWall, &parts, cells](std::size_t k, Monitor&)
+      [&mesh, &isOfBites, &isWall, &parts, cells](std::size_t k, Monitor&)
       {
         const std::size_t end = std::min(cells, (k + 1) * CellsPerTask);
         for (Id facet = static_cast<Id>(4 * k * CellsPerTask); facet < static_cast<Id>(4 * end);
              ++facet)
         {
-          if (mesh.IsTetrahedron(TetMesh::CellOf(facet)) && isWall(facet))
+          if (mesh.IsTetrahedron(TetMesh::CellOf(facet)) && isOfBites(facet) && isWall(facet))
           {
             parts[k].push_back(facet);
           }
@@ -377,9 +404,8 @@ private:
   double ReachOf(Id facet) const
   {
     double reach = 0.0;
-    for (int k = 0; k < 3; ++k)
+    for (const Id bite : this->BitesOf(facet))
     {
-      const Id bite = this->BiteOf[At(this->Cells.FacetCorner(facet, k))];
       reach = std::max(reach, 1.5 * this->Bites.Sizes[At(bite)]);
     }
     return reach;
@@ -391,8 +417,7 @@ private:
     const TetMesh& mesh = this->Cells;
     const Point3 normal = NormalOf(mesh, facet);
     const Point3 center = this->CenterOf(TetMesh::CellOf(facet));
-    const Id first = mesh.FacetCorner(facet, 0);
-    const Point3 foot = center + Dot(mesh.PointAt(first) - center, normal) * normal;
+    const Point3 foot = center + Dot(CornersOf(mesh, facet)[0] - center, normal) * normal;
     const Id other = TetMesh::CellOf(mesh.Twins[At(facet)]);
     const double reach = this->ReachOf(facet);
     const auto height = [&normal, &foot](const Point3& place) { return Dot(place - foot, normal); };
@@ -428,11 +453,8 @@ private:
   Id WalkTo(Id facet, const DualEdge& dual) const
   {
     constexpr int MostSteps = 32;
-    Id bite = NoId;
-    for (int k = 0; k < 3; ++k)
-    {
-      bite = std::max(bite, this->BiteOf[At(this->Cells.FacetCorner(facet, k))]);
-    }
+    const auto [a, b, c] = this->BitesOf(facet);
+    const Id bite = std::max({ a, b, c });
     Id triangle = bite < this->Bites.NumberOnLines ? NoId : this->Bites.Triangles[At(bite)];
     for (int step = 0; step < MostSteps && triangle != NoId; ++step)
     {
@@ -508,15 +530,11 @@ private:
   /// `below`: the triangle of the input.
   void Put(Id facet, Id below, bool isTurned, std::size_t place)
   {
+    const auto [first, second, third] = this->BitesOf(facet);
     Id* const bites = &this->Result.Corners[3 * place];
-    for (int k = 0; k < 3; ++k)
-    {
-      bites[k] = this->BiteOf[At(this->Cells.FacetCorner(facet, k))];
-    }
-    if (isTurned)
-    {
-      std::swap(bites[1], bites[2]);
-    }
+    bites[0] = first;
+    bites[1] = isTurned ? third : second;
+    bites[2] = isTurned ? second : third;
     this->Result.Triangles[place] = below;
   }
 
@@ -529,9 +547,7 @@ private:
     {
       return met;
     }
-    const auto corner = [this, facet](int k)
-    { return this->Cells.PointAt(this->Cells.FacetCorner(facet, k)); };
-    const Point3 middle = (1.0 / 3.0) * (corner(0) + corner(1) + corner(2));
+    const Point3 middle = MiddleOf(this->Cells, facet);
     const Id bite = this->BiteOf[At(this->Cells.FacetCorner(facet, 0))];
     const Id best = NearestTriangle(this->Input, this->Tree, middle,
       Near * this->Bites.Sizes[At(bite)],

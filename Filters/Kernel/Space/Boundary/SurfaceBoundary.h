@@ -45,8 +45,9 @@ struct SurfaceBoundary
 
 /// Finds the facets. For a solid (the ground has sides): those between cells whose power centres
 /// have different labels, closed by construction, and without self-crossings, as facets of one
-/// triangulation. For other surfaces: those whose dual edges meet the surface. Then checks all
-/// certificates (CheckBoundary) but those of the whole (CheckWhole): faults are not repaired.
+/// triangulation. For other surfaces: those whose dual edges meet the surface, or its planes beside
+/// a border. Then checks all certificates (CheckBoundary) but those of the whole (CheckWhole):
+/// faults are not repaired.
 /// `input`: the surface that the ground divides, of which `tree` is.
 /// `hasBalls`: BallCenters are wanted, of a solid.
 SurfaceBoundary FindBoundary(const SurfaceMesh& input, const SurfaceGround& ground,

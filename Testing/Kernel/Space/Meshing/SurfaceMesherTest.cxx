@@ -600,6 +600,41 @@ TEST(SurfaceMesher, KeepsTheBorderOfAnOpenSurface)
     10);
 }
 
+TEST(SurfaceMesher, MeshesSharpCornersOfBorders)
+{
+  constexpr double Degree = 3.14159265358979323846 / 180.0;
+  for (const double degrees : { 5.0, 7.0, 10.0, 15.0, 20.0, 25.0, 30.0 })
+  {
+    for (const double length : { 3.6, 2.9 })
+    {
+      Soup soup;
+      soup.Add({ 0.0, 0.0, 0.0 }, { length, 0.0, 0.0 },
+        { 3.6 * std::cos(degrees * Degree), 3.6 * std::sin(degrees * Degree), 0.0 });
+      const Meshed meshed = MakeMesh(soup, Uniform(0.3));
+      ASSERT_FALSE(meshed.Problems.HasErrors()) << degrees << " " << length;
+      EXPECT_EQ(EulerNumber(meshed.Mesh), 1) << degrees << " " << length;
+      // Where sides differ a far corner turns by less than FeatureAngle, and is cut.
+      const double area = 1.8 * length * std::sin(degrees * Degree);
+      EXPECT_NEAR(Area(meshed), area, length == 3.6 ? 1e-11 : 0.01 * area) << degrees;
+    }
+  }
+}
+
+TEST(SurfaceMesher, MeshesABoxThatMissesATriangle)
+{
+  for (const std::size_t triangle : { 0, 3, 4, 9 })
+  {
+    Soup soup = BoxOf({ 2.0, 1.0, 0.6 });
+    const double whole = 7.6;
+    const double part = triangle < 4 ? 0.3 : triangle < 8 ? 0.6 : 1.0;
+    soup.Remove(triangle);
+    const Meshed meshed = MakeMesh(soup, Uniform(0.2));
+    ASSERT_TRUE(meshed.Problems.Groups().empty()) << triangle;
+    EXPECT_EQ(EulerNumber(meshed.Mesh), 1) << triangle;
+    EXPECT_NEAR(Area(meshed), whole - part, 1e-11) << triangle;
+  }
+}
+
 TEST(SurfaceMesher, KeepsTheBorderOfRegionsOnAPlane)
 {
   SurfaceMesherOptions options = Uniform(0.1);
