@@ -8,6 +8,7 @@
 #include "vtkBitingSurfaceMesher.h"
 
 #include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
 #include "vtkDiskSource.h"
 #include "vtkFeatureEdges.h"
 #include "vtkImageData.h"
@@ -361,6 +362,43 @@ TEST(BitingSurfaceMesher, MakesOneWallOfTheContoursOfTwoLabels)
   edges->NonManifoldEdgesOn();
   edges->Update();
   EXPECT_GT(edges->GetOutput()->GetNumberOfLines(), 10);
+}
+
+TEST(BitingSurfaceMesher, ClosesSlitsAtVerticesOnEdgesOfOtherTriangles)
+{
+  vtkSmartPointer<vtkPolyData> cube = Cube(); // each face has its own points
+  vtkNew<vtkCellArray> polys;
+  const auto add = [&polys](const std::vector<vtkIdType>& face)
+  {
+    for (std::size_t k = 2; k < face.size(); ++k)
+    {
+      const vtkIdType ids[3] = { face[0], face[k - 1], face[k] };
+      polys->InsertNextCell(3, ids);
+    }
+  };
+  for (vtkIdType face = 0; face < 6; ++face)
+  {
+    vtkIdList* own = cube->GetCell(face)->GetPointIds();
+    std::vector<vtkIdType> corners{ own->GetId(0), own->GetId(1), own->GetId(2), own->GetId(3) };
+    if (face == 0)
+    {
+      double a[3];
+      double b[3];
+      cube->GetPoint(corners[2], a);
+      cube->GetPoint(corners[3], b);
+      corners.insert(corners.begin() + 3,
+        cube->GetPoints()->InsertNextPoint(
+          0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])));
+    }
+    add(corners);
+  }
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(cube->GetPoints());
+  surface->SetPolys(polys);
+  const auto filter = Meshed(surface, 0.2);
+  ASSERT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(NumberOfOpenEdges(filter->GetOutput()), 0);
+  EXPECT_NEAR(VolumeOf(filter->GetOutput()), 1.0, 1e-9);
 }
 
 TEST(BitingSurfaceMesher, KeepsSheetsAboveEachOtherApart)
