@@ -148,11 +148,9 @@ bool vtkBitingSpaceMesher::Execution::ReadRegions()
 //------------------------------------------------------------------------------
 bool vtkBitingSpaceMesher::Execution::ReadSpacing()
 {
-  biting::SourceData source;
-  if (this->Source)
-  {
-    source = this->Choose(this->Filter->GetInputArrayInformation(1), this->Source);
-  }
+  const biting::SourceData source = this->Source
+    ? this->Choose(this->Filter->GetInputArrayInformation(1), this->Source)
+    : biting::SourceData();
   if (!source.Chosen.Array && this->Spacing.Uniform == 0.0)
   {
     this->Spacing.Uniform = this->DefaultSpacing * this->Given.Mesh.Bounds().Diagonal();
@@ -174,7 +172,8 @@ bool vtkBitingSpaceMesher::Execution::Check()
   options.Noise = this->Given.Rounding.Most;
   options.FeatureAngle = this->Filter->FeatureAngle;
   options.TellsThickness = false;
-  options.Spacing = this->TakesOpen() ? biting::SpacingField() : this->Options.Spacing;
+  const auto rounding = [&options](const biting::Point3&) { return options.Noise; };
+  options.Spacing = this->TakesOpen() ? rounding : this->Options.Spacing; // what is a hole
   biting::ProblemList found;
   this->Surface = biting::CheckSurface(std::move(this->Given.Mesh), options, found, this->Progress);
   options.Spacing = this->Options.Spacing;
@@ -192,11 +191,10 @@ bool vtkBitingSpaceMesher::Execution::Check()
   {
     return false;
   }
-  const std::vector<biting::Id>& cells = this->Surface.Mesh.Cells;
   this->Options.Regions = this->Surface.Shells.RegionOf;
-  for (std::size_t t = 0; t < cells.size() && this->Regions.Array; ++t)
+  for (std::size_t t = 0; t < this->Options.Regions.size() && this->Regions.Array; ++t)
   {
-    this->Options.Regions[t] = this->Regions.Numbers[cells[t]];
+    this->Options.Regions[t] = this->Regions.Numbers[this->Surface.Mesh.Cells[t]];
   }
   return this->AcceptProblems(nullptr) &&
     this->Accept(this->Surface.Mesh.NumberOfTriangles() == 0

@@ -28,8 +28,9 @@
  * The mean edge is as long as f.
  *
  * @par Output 0, the mesh:
- * Triangles, oriented as the surface. Point data: `Spacing` (f as used), `NearestNeighborDistance`
- * (N: the shortest edge), `Conformity` (min(N/f, f/N)), `BiteOrder`,
+ * Triangles, oriented as the surface; shared walls of regions, as of contours of labels, are there
+ * once, turned away from the region that comes first. Point data: `Spacing` (f as used),
+ * `NearestNeighborDistance` (N: the shortest edge), `Conformity` (min(N/f, f/N)), `BiteOrder`,
  * `VertexKind` (VertexKindType), `OriginalPointId` (of corners; -1: new). Cell data: all arrays of
  * the cells of the input, of the triangle below the middle, `OriginalCellId` of it, `RegionId`,
  * `Deviation` (distance of the middle from the surface, in f), `MinimumAngle`, `RadiusEdgeRatio`,

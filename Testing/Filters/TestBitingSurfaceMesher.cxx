@@ -8,9 +8,11 @@
 #include "vtkBitingSurfaceMesher.h"
 
 #include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
 #include "vtkDiskSource.h"
 #include "vtkFeatureEdges.h"
 #include "vtkImageData.h"
+#include "vtkMarchingCubes.h"
 #include "vtkMassProperties.h"
 #include "vtkPlaneSource.h"
 #include "vtkStructuredGrid.h"
@@ -311,6 +313,92 @@ TEST(BitingSurfaceMesher, KeepsBordersAndLinesBetweenRegions)
   double range[2];
   mesh->GetCellData()->GetArray("RegionId")->GetRange(range);
   EXPECT_EQ(range[1] - range[0], 1.0);
+}
+
+TEST(BitingSurfaceMesher, MakesOneWallOfTheContoursOfTwoLabels)
+{
+  constexpr int Voxels = 12;
+  vtkNew<vtkAppendPolyData> contours;
+  for (const bool isFirst : { true, false }) // halves of a ball
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(Voxels, Voxels, Voxels);
+    image->AllocateScalars(VTK_DOUBLE, 1);
+    for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
+    {
+      double place[3];
+      image->GetPoint(voxel, place);
+      const auto square = [&place](int axis) { return (place[axis] - 5.5) * (place[axis] - 5.5); };
+      const bool isOfFirst = place[0] + 0.31 * place[1] > 7.2;
+      const bool isIn = square(0) + square(1) + square(2) < 25.4 && isOfFirst == isFirst;
+      image->GetPointData()->GetScalars()->SetTuple1(voxel, isIn ? 1.0 : 0.0);
+    }
+    vtkNew<vtkMarchingCubes> contour;
+    contour->SetInputData(image);
+    contour->SetValue(0, 0.5);
+    contour->ComputeNormalsOff();
+    contour->Update();
+    vtkPolyData* surface = contour->GetOutput();
+    const auto count = static_cast<std::size_t>(surface->GetNumberOfCells());
+    AddArray<vtkIntArray>(
+      surface->GetCellData(), "Label", std::vector<double>(count, isFirst ? 4.0 : 5.0));
+    contours->AddInputData(surface);
+  }
+  vtkNew<vtkBitingSurfaceMesher> filter;
+  filter->SetInputConnection(contours->GetOutputPort());
+  filter->SetRegionArray("Label");
+  filter->SetUniformSpacing(2.0);
+  filter->Update();
+  vtkPolyData* mesh = filter->GetOutput();
+  ASSERT_GT(mesh->GetNumberOfCells(), 0);
+  EXPECT_EQ(Figure(mesh, "EulerNumber"), 3.0); // of a sphere and of a disk
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(mesh);
+  edges->FeatureEdgesOff();
+  edges->NonManifoldEdgesOff();
+  edges->Update();
+  EXPECT_EQ(edges->GetOutput()->GetNumberOfLines(), 0);
+  edges->BoundaryEdgesOff();
+  edges->NonManifoldEdgesOn();
+  edges->Update();
+  EXPECT_GT(edges->GetOutput()->GetNumberOfLines(), 10);
+}
+
+TEST(BitingSurfaceMesher, ClosesSlitsAtVerticesOnEdgesOfOtherTriangles)
+{
+  vtkSmartPointer<vtkPolyData> cube = Cube(); // each face has its own points
+  vtkNew<vtkCellArray> polys;
+  const auto add = [&polys](const std::vector<vtkIdType>& face)
+  {
+    for (std::size_t k = 2; k < face.size(); ++k)
+    {
+      const vtkIdType ids[3] = { face[0], face[k - 1], face[k] };
+      polys->InsertNextCell(3, ids);
+    }
+  };
+  for (vtkIdType face = 0; face < 6; ++face)
+  {
+    vtkIdList* own = cube->GetCell(face)->GetPointIds();
+    std::vector<vtkIdType> corners{ own->GetId(0), own->GetId(1), own->GetId(2), own->GetId(3) };
+    if (face == 0)
+    {
+      double a[3];
+      double b[3];
+      cube->GetPoint(corners[2], a);
+      cube->GetPoint(corners[3], b);
+      corners.insert(corners.begin() + 3,
+        cube->GetPoints()->InsertNextPoint(
+          0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])));
+    }
+    add(corners);
+  }
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(cube->GetPoints());
+  surface->SetPolys(polys);
+  const auto filter = Meshed(surface, 0.2);
+  ASSERT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(NumberOfOpenEdges(filter->GetOutput()), 0);
+  EXPECT_NEAR(VolumeOf(filter->GetOutput()), 1.0, 1e-9);
 }
 
 TEST(BitingSurfaceMesher, KeepsSheetsAboveEachOtherApart)

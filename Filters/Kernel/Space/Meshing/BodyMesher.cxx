@@ -470,14 +470,8 @@ BitingBody MakeBitingBody(const CheckedSurface& surface, const BodyMesherOptions
   {
     return {};
   }
-  SurfaceMesherOptions surfaceOptions = options.Surface;
-  if (!surfaceOptions.Spacing)
-  {
-    const double uniform = 0.04 * surface.Mesh.Bounds().Diagonal();
-    surfaceOptions.Spacing = [uniform](const Point3&) { return uniform; };
-  }
   BitingBody mesh = MeshNearOrigin(
-    surface, surfaceOptions, problems,
+    surface, options.Surface, problems,
     [&options, &monitor](const CheckedSurface& s, const SurfaceMesherOptions& o, ProblemList& p)
     {
       BodyMesherOptions own = options;

@@ -15,11 +15,10 @@ namespace biting
 
 struct BodyMesherOptions
 {
-  /// As for the surface; Spacing is asked in the whole of space, and is 4 % of the diagonal where
-  /// it is empty. Regions, of each triangle, where CheckedSurface::Mesh has none: a closed shell
-  /// with one value all over encloses the region of that value; a shell within another of the same
-  /// value is a cavity of it. Without values, or where a shell has several, insides are found by
-  /// even-odd. Walls that bodies share: FindBodies.
+  /// As for the surface; Spacing is asked in the whole of space. Regions, of each triangle, where
+  /// CheckedSurface::Mesh has none: a closed shell with one value all over encloses the region of
+  /// that value; a shell within another of the same value is a cavity of it. Without values, or
+  /// where a shell has several, insides are found by even-odd. Walls that bodies share: FindBodies.
   SurfaceMesherOptions Surface;
 
   SpaceBiteShape Shape = SpaceBiteShape::Sphere;

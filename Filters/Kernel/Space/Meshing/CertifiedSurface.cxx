@@ -250,9 +250,7 @@ private:
       ground.Normals[t] = length > 0.0 ? (1.0 / length) * normal : Point3{};
     }
     FlagFeatures(ground, this->Options.Regions, this->Options.FeatureAngle, this->Beats);
-    const double uniform = 0.02 * this->Surface.Mesh.Bounds().Diagonal();
-    this->Spacing =
-      this->Options.Spacing ? this->Options.Spacing : [uniform](const Point3&) { return uniform; };
+    this->Spacing = this->Options.Spacing;
     for (const Point3& place : ground.Mesh.Points)
     {
       const double size = this->Spacing(place);

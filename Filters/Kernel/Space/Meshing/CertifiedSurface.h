@@ -20,7 +20,7 @@ namespace biting
 struct CertifiedSurface
 {
   SurfaceGround Ground;
-  std::function<double(const Point3&)> Spacing; ///< f as given, or its default
+  std::function<double(const Point3&)> Spacing; ///< f as given
   SurfaceBites Bites;
   BoxTree<SurfaceItem, 3> Tree; ///< of the surface
   SurfaceBoundary Boundary;     ///< without offences
@@ -73,11 +73,8 @@ auto MeshNearOrigin(const CheckedSurface& surface, const SurfaceMesherOptions& o
   MovePoints(moved.Mesh.Points, -1.0 * origin);
   SurfaceMesherOptions movedOptions = options;
   movedOptions.Origin = origin;
-  if (options.Spacing)
-  {
-    movedOptions.Spacing = [&options, origin](const Point3& x)
-    { return options.Spacing(x + origin); };
-  }
+  movedOptions.Spacing = [&options, origin](const Point3& x)
+  { return options.Spacing(x + origin); };
   ProblemList found;
   auto mesh = make(moved, movedOptions, found);
   for (ProblemGroup group : found.Groups())

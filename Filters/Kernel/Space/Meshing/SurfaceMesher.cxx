@@ -3,10 +3,11 @@
 
 #include "SurfaceMesher.h"
 
+#include "../Boundary/BodySides.h"
 #include "../Relaxation/SurfaceRelaxation.h"
 #include "CertifiedSurface.h"
 
-#include <algorithm> // for fill_n
+#include <algorithm> // for all_of, fill_n
 #include <utility>   // for exchange, move
 
 namespace biting
@@ -15,16 +16,25 @@ namespace biting
 namespace
 {
 
-/// Of solids all triangles have the body behind them.
-std::vector<TriangleSides> SidesOf(const CheckedSurface& surface)
+/// The labels of space behind and in front of each triangle; none where one has the same part on
+/// both sides. Walls between parts are turned as FindBodies has it, in a copy.
+std::vector<TriangleSides> SidesOf(
+  const CheckedSurface& surface, CheckedSurface& turned, Pulse& pulse)
 {
-  const std::size_t triangles = surface.Mesh.NumberOfTriangles();
-  bool isSolid = true;
-  for (std::size_t t = 0; t < triangles && isSolid; ++t)
+  const std::vector<SurfaceShell>& shells = surface.Shells.Shells;
+  const auto isSolid = [](const SurfaceShell& shell)
+  { return shell.IsClosed && shell.IsOrientable; };
+  if (surface.Figures.OpenEdges > 0)
   {
-    isSolid = surface.Shells.IsSolid(t);
+    return {};
   }
-  return std::vector<TriangleSides>(isSolid ? triangles : 0, TriangleSides{ 1, 0 });
+  if (std::all_of(shells.begin(), shells.end(), isSolid))
+  {
+    return std::vector<TriangleSides>(surface.Mesh.NumberOfTriangles(), TriangleSides{ 1, 0 });
+  }
+  turned = surface;
+  turned.Mesh.Regions.clear(); // by values two cavities may share a wall
+  return FindBodies(turned.Mesh, pulse).Sides;
 }
 
 RelaxedSurface Bitten(const CertifiedSurface& certified)
@@ -73,7 +83,8 @@ void Relax(CertifiedSurface& certified, bool isWanted, BitingSurface& mesh, Puls
 
 /// With f halved at sharp turns; without, where that does not suit.
 bool Certify(const CheckedSurface& surface, const SurfaceMesherOptions& options,
-  CertifiedSurface& certified, ProblemList& problems, Monitor& monitor)
+  const std::vector<TriangleSides>& sides, CertifiedSurface& certified, ProblemList& problems,
+  Monitor& monitor)
 {
   const ProblemList before = problems;
   bool isDone = false;
@@ -84,19 +95,22 @@ bool Certify(const CheckedSurface& surface, const SurfaceMesherOptions& options,
     certified = {};
     certified.RoundsForTurns = std::exchange(rounds, 0);
     certified.HasBalls = false;
-    isDone = CertifySurface(surface, options, SidesOf(surface), certified, problems, monitor);
+    isDone = CertifySurface(surface, options, sides, certified, problems, monitor);
   } while (certified.RoundsForTurns > 0 &&
     (problems.Has(ProblemCode::TooThin) || problems.Has(ProblemCode::TooSharp)));
   return isDone;
 }
 
-BitingSurface MeshSurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
+BitingSurface MeshSurface(const CheckedSurface& given, const SurfaceMesherOptions& options,
   ProblemList& problems, Monitor& monitor)
 {
   Pulse pulse(monitor);
+  CheckedSurface turned;
+  const std::vector<TriangleSides> sides = SidesOf(given, turned, pulse);
+  const CheckedSurface& surface = turned.Mesh.Cells.empty() ? given : turned;
   CertifiedSurface certified;
   BitingSurface mesh;
-  if (Certify(surface, options, certified, problems, monitor))
+  if (Certify(surface, options, sides, certified, problems, monitor))
   {
     monitor.BeginStage("Relaxing");
     std::vector<TriangleSides>().swap(certified.Boundary.Sides);

@@ -20,8 +20,8 @@ namespace biting
 
 struct SurfaceMesherOptions
 {
-  /// f(x) as given, in input length units: positive and finite everywhere. Empty: 2 % of the
-  /// diagonal of the surface. Any number of threads may call it at once.
+  /// f(x) as given, in input length units: positive and finite everywhere. Any number of threads
+  /// may call it at once.
   std::function<double(const Point3&)> Spacing;
 
   /// The slope of f along the surface from where a cap lowers it; 0: 0.3. What is given stays so.
@@ -72,7 +72,8 @@ struct BitingSurface
   std::vector<SurfaceVertexKind> Kinds;
   std::vector<Id> OriginalPoints; ///< of corners, the point of the input; NoId = new
 
-  // Triangles: three vertices each, oriented as the surface.
+  // Triangles: three vertices each, oriented as the surface; walls between parts of space away from
+  // the outside, or from the part that has the earlier triangle.
   std::vector<Id> Corners;
   std::vector<Id> Triangles;      ///< the triangle of CheckedSurface::Mesh below the middle
   std::vector<Id> Regions;        ///< SurfaceMesherOptions::Regions of it; 0 where that is empty
