@@ -490,7 +490,7 @@ private:
     mesh.Corners = this->Boundary.Corners;
     Measure(this->Surface.Mesh, this->Result, this->Options, mesh, this->Beats);
     const auto isSmall = [this](Id bite)
-    { return this->Bites.Sizes[At(bite)] <= 1.1 * LeastTornShare * this->GivenAt(bite); };
+    { return this->Bites.Sizes[At(bite)] <= LeastTornShare * this->GivenAt(bite); };
     std::vector<Id> far;
     for (auto facet = mesh.Corners.begin(); facet != mesh.Corners.end(); facet += 3)
     {

@@ -3,6 +3,7 @@
 
 #include "Space/Meshing/SurfaceMesher.h"
 #include "Space/Delaunay/SpaceTriangulation.h"
+#include "Space/Features/SizeCaps.h"
 #include "Space/Surface/SurfaceShapes.h"
 
 #include <gtest/gtest.h>
@@ -425,6 +426,27 @@ TEST(SurfaceMesher, LowersTheSpacingAtRoundingsTooSharpForAQuarterOfIt)
     }
     EXPECT_LT(meshed.Mesh.Deviations[t] * size, 0.08 * 0.3) << t;
   }
+}
+
+TEST(SurfaceMesher, HalvesAQuarterOfTheSpacingTwiceAtTurns)
+{
+  SurfaceGround ground; // a cube whose edges are no features
+  ground.Mesh = Judge(BoxOf({ 1.0, 1.0, 1.0 })).Surface.Mesh;
+  for (std::size_t t = 0; t < ground.Mesh.NumberOfTriangles(); ++t)
+  {
+    const Point3 normal = ground.Mesh.Normal(t);
+    ground.Normals.push_back((1.0 / Length(normal)) * normal);
+    ground.Mesh.Cells[t] = static_cast<Id>(t);
+  }
+  ground.Flags.resize(ground.Mesh.Corners.size());
+  ground.Given.resize(ground.Mesh.Points.size(), 0.3);
+  ground.Sizes.resize(ground.Mesh.Points.size(), 0.25 * 0.3);
+  Pulse pulse(NoMonitor());
+  LinkGround(ground, pulse);
+  EXPECT_TRUE(HalveAtTurns(ground, pulse));
+  EXPECT_TRUE(HalveAtTurns(ground, pulse));
+  EXPECT_FALSE(HalveAtTurns(ground, pulse));
+  EXPECT_NEAR(ground.Sizes.front(), 0.3 / 16.0, 1e-9);
 }
 
 TEST(SurfaceMesher, HalvesNoSpacingAtTurnsWhereThatMakesTooManyVertices)
