@@ -629,7 +629,7 @@ bool HalveAtTurns(SurfaceGround& ground, Pulse& pulse)
     [&ground, &sizes, &isDone, &seen](std::size_t v)
     {
       const double shares = sizes[v] / (LeastShare * ground.Given[v]);
-      if (shares > 0.5 && shares < 1.1 && isDone[v] == 0 &&
+      if (shares > 0.45 && shares < 1.1 && isDone[v] == 0 &&
         TurnInBall(ground, static_cast<Id>(v), Radius * sizes[v], isDone, seen) > MostTurn)
       {
         sizes[v] *= 0.5;

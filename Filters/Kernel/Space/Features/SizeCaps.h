@@ -31,8 +31,9 @@ void CapByFeatures(SurfaceGround& ground, Pulse& pulse);
 void CapByCurvature(
   SurfaceGround& ground, const SurfaceMesh& input, double tolerance, Pulse& pulse);
 
-/// Halves f where it is about LeastShare and the surface turns by more than 69 degrees (but at
-/// features) in the ball of a facet, too sharply for CapByCurvature. False: nowhere.
+/// Halves f where the surface turns by more than 69 degrees (but at features) in the ball of a
+/// facet, too sharply for CapByCurvature, and f is .45 to 1.1 LeastShare of the given one: so twice
+/// where it is called again. False: nowhere.
 bool HalveAtTurns(SurfaceGround& ground, Pulse& pulse);
 
 /// Lowers f until it grows by no more than `gradation` along the edges of the ground; 0: by no more

@@ -7,7 +7,7 @@
 #include "../../Base/Tasks.h"
 #include "../Surface/SurfaceLinks.h"
 
-#include <algorithm>  // for count, min, max, rotate
+#include <algorithm>  // for count, min, minmax, rotate
 #include <array>      // for triangles
 #include <functional> // for less
 #include <utility>    // for pairs, move
@@ -27,10 +27,8 @@ std::vector<LongSlot> FindLongSlots(const SurfaceGround& ground, Pulse& pulse)
   slots.reserve(ground.Mesh.Corners.size() / 4);
   for (std::size_t slot = 0; slot < ground.Mesh.Corners.size(); ++slot)
   {
-    const Id a = ground.Mesh.Corners[NextSlotOf(slot)];
-    const Id b = ground.Mesh.Corners[PreviousSlotOf(slot)];
-    const Id low = std::min(a, b);
-    const Id high = std::max(a, b);
+    const auto [low, high] =
+      std::minmax(ground.Mesh.Corners[NextSlotOf(slot)], ground.Mesh.Corners[PreviousSlotOf(slot)]);
     const double most = LongestEdge * std::min(ground.Sizes[At(low)], ground.Sizes[At(high)]);
     if (Distance(ground.Mesh.Points[At(low)], ground.Mesh.Points[At(high)]) > most)
     {
@@ -299,7 +297,9 @@ bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3
       {
         ground.Mesh.Points.push_back(Midpoint(ground.Mesh.Points[low], ground.Mesh.Points[high]));
         ground.Mesh.PointIds.push_back(NoId);
-        ground.Sizes.push_back(0.5 * (ground.Sizes[low] + ground.Sizes[high]));
+        const double mean = 0.5 * (ground.Sizes[low] + ground.Sizes[high]);
+        const bool isCapped = mean < 0.5 * (ground.Given[low] + ground.Given[high]);
+        ground.Sizes.push_back(isCapped ? mean : Infinity);
       }
       middles[slots[k].second] = static_cast<Id>(ground.Mesh.Points.size()) - 1;
     }
@@ -319,13 +319,12 @@ bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3
       break;
     }
     Halving halving(ground, middles, quads);
-    const std::size_t triangles = ground.Mesh.NumberOfTriangles();
-    if (triangles > mostTriangles)
+    if (quads.size() > mostTriangles)
     {
       return false;
     }
     pulse.Ask();
-    for (std::size_t t = 0; t < triangles; ++t)
+    for (std::size_t t = 0; t < quads.size(); ++t)
     {
       halving.Divide(t);
     }

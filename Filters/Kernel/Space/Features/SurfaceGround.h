@@ -82,8 +82,8 @@ struct SurfaceGround
 constexpr double LongestEdge = 1.2;
 
 /// Divides all edges longer than LongestEdge f: in halves, round by round, all long ones at once.
-/// f at new vertices is the mean of the ends, and no more than `given` there. False where there
-/// would be more triangles than `mostTriangles`.
+/// f at new vertices is as `given`, but where an end is capped no more than the mean of both. False
+/// where there would be more triangles than `mostTriangles`.
 bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3&)>& given,
   std::size_t mostTriangles, Pulse& pulse);
 

@@ -239,6 +239,8 @@ private:
 
   void MakeGround()
   {
+    int& rounds = this->Result.RoundsForTurns; // those that halve f
+    const int wanted = std::exchange(rounds, 0);
     SurfaceGround& ground = this->Ground;
     ground.Mesh = this->Surface.Mesh;
     ground.Normals.resize(ground.Mesh.NumberOfTriangles());
@@ -283,8 +285,6 @@ private:
     {
       this->CapSizes();
     }
-    int& rounds = this->Result.RoundsForTurns; // those that halve f
-    const int wanted = std::exchange(rounds, 0);
     for (; rounds < wanted && !this->Problems.HasErrors() && HalveAtTurns(ground, this->Beats);
          ++rounds)
     {
@@ -560,7 +560,8 @@ void DescribeMesh(const CheckedSurface& surface, const CertifiedSurface& certifi
     mesh.BiteRadii = bites.Radii;
   }
   Measure(surface.Mesh, certified, options, mesh, pulse);
-  const double most = std::max(0.25, 2.0 * options.BoundaryTolerance);
+  const double tolerance = options.BoundaryTolerance;
+  const double most = tolerance > 0.0 ? std::max(0.25, 2.0 * tolerance) : Infinity;
   for (std::size_t t = 0; t < mesh.Deviations.size(); ++t)
   {
     if (mesh.Deviations[t] > most)

@@ -44,7 +44,7 @@ bool CertifySurface(const CheckedSurface& surface, const SurfaceMesherOptions& o
 bool MayGoOn(ProblemList& problems, Pulse& pulse);
 
 /// Fills the other arrays of `mesh` from its Points, Spacing and Corners. Where triangles are
-/// farther than f / 4 and two tolerances from the surface: the problem LostFeatures.
+/// farther than f / 4, and than twice a tolerance above 0, from the surface: LostFeatures.
 void DescribeMesh(const CheckedSurface& surface, const CertifiedSurface& certified,
   const SurfaceMesherOptions& options, BitingSurface& mesh, ProblemList& problems, Pulse& pulse);
 

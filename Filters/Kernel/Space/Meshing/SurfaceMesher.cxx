@@ -96,8 +96,7 @@ bool Certify(const CheckedSurface& surface, const SurfaceMesherOptions& options,
     certified.RoundsForTurns = std::exchange(rounds, 0);
     certified.HasBalls = false;
     isDone = CertifySurface(surface, options, sides, certified, problems, monitor);
-  } while (certified.RoundsForTurns > 0 &&
-    (problems.Has(ProblemCode::TooThin) || problems.Has(ProblemCode::TooSharp)));
+  } while (certified.RoundsForTurns > 0 && !isDone && !problems.Has(ProblemCode::Aborted));
   return isDone;
 }
 

@@ -24,7 +24,8 @@ struct SurfaceMesherOptions
   /// may call it at once.
   std::function<double(const Point3&)> Spacing;
 
-  /// The slope of f along the surface from where a cap lowers it; 0: 0.3. What is given stays so.
+  /// The slope of f along the surface, as given and as capped. 0: f stays as given, and grows by
+  /// 0.3 from where a cap lowers it.
   double Gradation = 0.3;
 
   /// True: f is capped by the thickness inside and outside, and by the distance between features;
@@ -36,7 +37,7 @@ struct SurfaceMesherOptions
 
   /// How far the mesh may be from the surface where it curves, in f: caps f, at least to a quarter
   /// of what is given. Of surfaces, not of bodies: where facets are still twice as far f is halved,
-  /// at most twice, if the certificates hold then, too.
+  /// at most twice, if the certificates hold then, too. 0: any distance.
   double BoundaryTolerance = 0.1;
 
   /// Of each triangle of CheckedSurface::Mesh: edges between different ones are kept as lines.

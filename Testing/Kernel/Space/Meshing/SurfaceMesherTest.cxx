@@ -3,6 +3,7 @@
 
 #include "Space/Meshing/SurfaceMesher.h"
 #include "Space/Delaunay/SpaceTriangulation.h"
+#include "Space/Features/SizeCaps.h"
 #include "Space/Surface/SurfaceShapes.h"
 
 #include <gtest/gtest.h>
@@ -246,17 +247,32 @@ Soup Prism(const std::vector<std::array<double, 2>>& polygon, const Point3& midd
   return soup;
 }
 
+/// Over a square, its corners rounded by .01.
+Soup RoundedPrism()
+{
+  std::vector<std::array<double, 2>> rounded;
+  for (int k = 0; k < 36; ++k)
+  {
+    const int corner = k / 9;
+    const double angle = 1.5707963267948966 * (k % 9 + 8 * corner - 8) / 8;
+    rounded.push_back({ (corner < 2 ? 0.99 : 0.01) + 0.01 * std::cos(angle),
+      (corner == 1 || corner == 2 ? 0.99 : 0.01) + 0.01 * std::sin(angle) });
+  }
+  return Prism(rounded, { 0.5, 0.5, 0.0 });
+}
+
 } // namespace
 
 TEST(SurfaceMesher, TellsWhereFacetsAreFarFromTheSurface)
 {
-  SurfaceMesherOptions options = Uniform(0.3);
+  SurfaceMesherOptions options = Uniform(0.2);
   options.FeatureAngle = 180.0; // edges of a cube are cut off
-  const Soup cube =
-    Prism({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } }, { 0.5, 0.5, 0.0 });
+  const Soup cube = BoxOf({ 1.0, 1.0, 1.0 });
   const Meshed meshed = MakeMesh(cube, options);
   EXPECT_FALSE(meshed.Problems.HasErrors());
   EXPECT_TRUE(meshed.Problems.Has(ProblemCode::LostFeatures));
+  options.BoundaryTolerance = 0.0; // any distance
+  EXPECT_TRUE(MakeMesh(cube, options).Problems.Groups().empty());
 }
 
 TEST(SurfaceMesher, StaysWithinTheToleranceWhereTheSurfaceCurves)
@@ -284,19 +300,11 @@ TEST(SurfaceMesher, DoesNotDependOnHowFacesAreTriangulated)
     halfCircle.push_back({ std::sin(angle), -std::cos(angle) });
   }
   halfCircle.push_back({ 0.0, 1.0 });
-  std::vector<std::array<double, 2>> rounded; // a square, its corners by .03 f
-  for (int k = 0; k < 36; ++k)
-  {
-    const int corner = k / 9;
-    const double angle = 1.5707963267948966 * (k % 9 + 8 * corner - 8) / 8;
-    rounded.push_back({ (corner < 2 ? 0.99 : 0.01) + 0.01 * std::cos(angle),
-      (corner == 1 || corner == 2 ? 0.99 : 0.01) + 0.01 * std::sin(angle) });
-  }
   // Where f is capped by little, at lines that turn, at a ball of faces that turn by 9 degrees, and
   // where facets as small as caps make them are still too large.
   const std::vector<std::pair<Soup, double>> bodies{ { Torus(1.0, 0.3, 32), 0.2 },
     { Turned({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } }, 10), 1.0 / 3.0 },
-    { Turned(halfCircle, 40), 0.385 }, { Prism(rounded, { 0.5, 0.5, 0.0 }), 0.3 } };
+    { Turned(halfCircle, 40), 0.385 }, { RoundedPrism(), 0.3 } };
   for (const auto& [body, size] : bodies)
   {
     const Meshed whole = MakeMesh(body, Uniform(size));
@@ -420,6 +428,36 @@ TEST(SurfaceMesher, LowersTheSpacingAtRoundingsTooSharpForAQuarterOfIt)
   }
 }
 
+TEST(SurfaceMesher, HalvesAQuarterOfTheSpacingTwiceAtTurns)
+{
+  SurfaceGround ground; // a cube whose edges are no features
+  ground.Mesh = Judge(BoxOf({ 1.0, 1.0, 1.0 })).Surface.Mesh;
+  for (std::size_t t = 0; t < ground.Mesh.NumberOfTriangles(); ++t)
+  {
+    const Point3 normal = ground.Mesh.Normal(t);
+    ground.Normals.push_back((1.0 / Length(normal)) * normal);
+    ground.Mesh.Cells[t] = static_cast<Id>(t);
+  }
+  ground.Flags.resize(ground.Mesh.Corners.size());
+  ground.Given.resize(ground.Mesh.Points.size(), 0.3);
+  ground.Sizes.resize(ground.Mesh.Points.size(), 0.25 * 0.3);
+  Pulse pulse(NoMonitor());
+  LinkGround(ground, pulse);
+  EXPECT_TRUE(HalveAtTurns(ground, pulse));
+  EXPECT_TRUE(HalveAtTurns(ground, pulse));
+  EXPECT_FALSE(HalveAtTurns(ground, pulse));
+  EXPECT_NEAR(ground.Sizes.front(), 0.3 / 16.0, 1e-9);
+}
+
+TEST(SurfaceMesher, HalvesNoSpacingAtTurnsWhereThatMakesTooManyVertices)
+{
+  SurfaceMesherOptions options = Uniform(0.3);
+  options.MaximumNumberOfVertices = 600;
+  const Meshed meshed = MakeMesh(RoundedPrism(), options);
+  EXPECT_FALSE(meshed.Problems.HasErrors());
+  EXPECT_EQ(EulerNumber(meshed.Mesh), 2);
+}
+
 TEST(SurfaceMesher, KeepsHolesThatFacetsCloseThoughNoneIsAtFault)
 {
   for (const double radius : { 0.035, 0.045, 0.05, 0.055 }) // in f
@@ -486,6 +524,7 @@ TEST(SurfaceMesher, TakesASpacingThatJumpsAsItIsWhereTheGradationIsZero)
     return inside;
   };
   EXPECT_GT(count(0.2, 0.8), 6 * count(2.2, 2.8));
+  EXPECT_GT(count(0.2, 0.8), 7 * count(1.3, 1.9)); // triangles reach from end to end
 }
 
 TEST(SurfaceMesher, BitesCoverTheSurfaceAndHaveNoEarlierCentre)
