@@ -202,7 +202,7 @@ void SurfaceChecker::Measure()
     static_cast<std::int64_t>(this->Mesh.NumberOfTriangles());
   for (const SurfaceShell& shell : this->Result.Shells.Shells)
   {
-    figures.Cavities += shell.IsClosed && shell.Depth % 2 == 1 ? 1 : 0;
+    figures.Cavities += shell.Depth % 2;
     figures.Volume += shell.Volume;
   }
   figures.Volume =
