@@ -8,7 +8,7 @@
 #include "NearestOnTriangle.h"
 #include "TriangleContact.h" // for MeetRay
 
-#include <algorithm> // for count_if, max, min
+#include <algorithm> // for count_if, max
 #include <cstdint>   // for marks
 #include <map>       // for sums of shells
 #include <set>       // for pairs
@@ -126,27 +126,21 @@ void ShellSearch::Cross(std::size_t slot, SurfaceShell& shell, Problem& twist)
 void TellInconsistent(const SurfaceMesh& mesh, const SurfaceLinks& links,
   const SurfaceShells& shells, ProblemList& problems)
 {
-  std::vector<Id> first(shells.Shells.size(), NoId);
-  std::vector<Id> counts(shells.Shells.size(), 0);
+  std::map<Id, std::vector<std::size_t>> slotsOf; // of shells
   for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
   {
-    const Id other = links.Across[slot];
-    if (other > static_cast<Id>(slot) && !AreAlike(mesh, links, slot))
+    if (links.Across[slot] > static_cast<Id>(slot) && !AreAlike(mesh, links, slot))
     {
-      const auto shell = static_cast<std::size_t>(shells.ShellOf[slot / 3]);
-      first[shell] = counts[shell]++ == 0 ? static_cast<Id>(slot) : first[shell];
+      slotsOf[shells.ShellOf[slot / 3]].push_back(slot);
     }
   }
-  for (std::size_t shell = 0; shell < first.size(); ++shell)
+  for (const auto& [shell, slots] : slotsOf)
   {
-    if (counts[shell] > 0)
-    {
-      const auto slot = static_cast<std::size_t>(first[shell]);
-      const auto other = static_cast<std::size_t>(links.Across[slot] / 3);
-      problems.Add({ ProblemCode::InconsistentEdges, { mesh.Cells[slot / 3], mesh.Cells[other] },
-        Midpoint(mesh.At(NextSlotOf(slot)), mesh.At(PreviousSlotOf(slot))),
-        std::to_string(counts[shell]) + " edges" });
-    }
+    const std::size_t slot = slots.front();
+    const std::size_t other = At(links.Across[slot] / 3);
+    problems.Add({ ProblemCode::InconsistentEdges, { mesh.Cells[slot / 3], mesh.Cells[other] },
+      Midpoint(mesh.At(NextSlotOf(slot)), mesh.At(PreviousSlotOf(slot))),
+      std::to_string(slots.size()) + " edges" });
   }
 }
 
@@ -271,7 +265,8 @@ SurfaceShells FindShells(
 }
 
 void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<SurfaceItem, 3>& tree,
-  const std::vector<SurfaceContact>& crossings, double noise, SurfaceShells& shells, Pulse& pulse)
+  const std::vector<SurfaceContact>& crossings, const std::vector<SurfaceContact>& touches,
+  double noise, SurfaceShells& shells, Pulse& pulse)
 {
   ShellPairs crossing;
   for (const SurfaceContact& contact : crossings)
@@ -280,7 +275,11 @@ void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<Surfa
     const Id other = shells.ShellOf[At(contact.Second)];
     crossing.insert({ { one, other }, { other, one } });
   }
-  constexpr std::size_t MostTries = 300; // triangles, where shells touch in many places
+  std::set<Id> touching; // shells
+  for (const SurfaceContact& touch : touches)
+  {
+    touching.insert({ shells.ShellOf[At(touch.First)], shells.ShellOf[At(touch.Second)] });
+  }
   const std::vector<std::size_t> farthest = FarthestSlots(mesh, shells);
   std::vector<std::uint8_t> isTurned(shells.Shells.size(), 0);
   for (std::size_t k = 0; k < shells.Shells.size() && pulse.Beat(); ++k)
@@ -292,13 +291,13 @@ void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<Surfa
     }
     const Id own = static_cast<Id>(k);
     shell.Depth = DepthOf(mesh.At(farthest[k]), own, tree, mesh, shells, crossing, noise);
-    const std::size_t end = std::min(
-      mesh.NumberOfTriangles(), At(shell.FirstTriangle) + (shell.Depth == NoId ? MostTries : 0));
-    for (std::size_t t = At(shell.FirstTriangle); t < end; ++t)
+    Id left = shell.Depth == NoId || touching.count(own) > 0 ? shell.Triangles : 0;
+    for (std::size_t t = At(shell.FirstTriangle); left > 0 && shell.Depth != 0 && pulse.Beat(); ++t)
     {
-      const Id depth = shells.ShellOf[t] == own
-        ? DepthOf(mesh.Middle(t), own, tree, mesh, shells, crossing, noise)
-        : NoId;
+      const bool isOwn = shells.ShellOf[t] == own;
+      const Id depth =
+        isOwn ? DepthOf(mesh.Middle(t), own, tree, mesh, shells, crossing, noise) : NoId;
+      left -= isOwn ? 1 : 0;
       const bool isLess = depth != NoId && (shell.Depth == NoId || depth < shell.Depth);
       shell.Depth = isLess ? depth : shell.Depth; // of shells that overlap, flush: the least
     }

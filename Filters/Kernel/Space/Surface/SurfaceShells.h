@@ -52,10 +52,11 @@ SurfaceShells FindShells(
 
 /// Orients bounding shells by nesting: outwards where an even number of others is around them, else
 /// inwards; links follow. Shells that cross are not around each other. Decided by exact signs along
-/// a ray from a vertex, or the middle of a triangle, that is farther than the noise from other
-/// shells, if there is one. `tree` has all triangles.
+/// a ray from a vertex; of shells that touch others, which may be within these in part, also from
+/// the middles of triangles; all farther than the noise from others. `tree` has all triangles.
 void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<SurfaceItem, 3>& tree,
-  const std::vector<SurfaceContact>& crossings, double noise, SurfaceShells& shells, Pulse& pulse);
+  const std::vector<SurfaceContact>& crossings, const std::vector<SurfaceContact>& touches,
+  double noise, SurfaceShells& shells, Pulse& pulse);
 
 } // namespace biting
 

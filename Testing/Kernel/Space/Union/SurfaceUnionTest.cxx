@@ -432,6 +432,27 @@ TEST(ResolveCrossings, KeepsCavitiesThatTouchWhereShellsShareAnEdge)
     492.0, 1e-5);
 }
 
+TEST(ResolveCrossings, UnitesBodiesThatCrossWhereTheirEdgesLieInSidesAndNoCavitiesThatDo)
+{
+  const std::array<double, 3> rings{ 2.0, 4.0, 6.0 }; // of a bar
+  Soup soup;
+  for (std::size_t side = 0; side < 4; ++side)
+  {
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      soup.AddSide({ 1.0, 1.0, rings[k] }, { 3.0, 3.0, rings[k + 1] }, side / 2, side % 2 == 1, 1);
+    }
+  }
+  soup.AddSide({ 1.0, 1.0, 2.0 }, { 3.0, 3.0, 6.0 }, 2, false, 1);
+  soup.AddSide({ 1.0, 1.0, 2.0 }, { 3.0, 3.0, 6.0 }, 2, true, 1);
+  soup.AddBox({ 0.0, 0.0, 0.0 }, { 4.0, 4.0, 4.0 });
+  const Verdict bodies = Resolved(soup, 0.1);
+  EXPECT_GT(bodies.Count(ProblemCode::UnitedSurfaces), 0);
+  EXPECT_NEAR(bodies.Figures().Volume, 72.0, 1e-5);
+  soup.AddBox({ -1.0, -1.0, -1.0 }, { 7.0, 7.0, 7.0 });
+  EXPECT_EQ(Resolved(soup, 0.1).Count(ProblemCode::UnitedSurfaces), 0);
+}
+
 TEST(ResolveCrossings, LooksForNoCavitiesInBodiesThatBoundNothingWithoutOthers)
 {
   Soup soup;
