@@ -71,8 +71,8 @@ void SurfaceChecker::Run(Monitor& monitor)
   monitor.BeginStage("Looking for crossings");
   const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(this->Mesh, this->Beats);
   this->TellContacts(tree);
-  OrientByNesting(this->Mesh, this->Links, tree, this->Result.Crossings, this->Options.Noise,
-    this->Result.Shells, this->Beats);
+  OrientByNesting(this->Mesh, this->Links, tree, this->Result.Crossings, this->Result.Touches,
+    this->Options.Noise, this->Result.Shells, this->Beats);
   monitor.BeginStage("Measuring");
   if (this->Options.TellsThickness)
   {
@@ -202,7 +202,7 @@ void SurfaceChecker::Measure()
     static_cast<std::int64_t>(this->Mesh.NumberOfTriangles());
   for (const SurfaceShell& shell : this->Result.Shells.Shells)
   {
-    figures.Cavities += shell.IsClosed && shell.Depth % 2 == 1 ? 1 : 0;
+    figures.Cavities += shell.Depth % 2;
     figures.Volume += shell.Volume;
   }
   figures.Volume =

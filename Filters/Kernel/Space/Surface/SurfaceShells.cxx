@@ -8,8 +8,9 @@
 #include "NearestOnTriangle.h"
 #include "TriangleContact.h" // for MeetRay
 
-#include <algorithm> // for count_if, find, max, min, sort, upper_bound
+#include <algorithm> // for count_if, max
 #include <cstdint>   // for marks
+#include <map>       // for sums of shells
 #include <set>       // for pairs
 #include <string>    // for figures
 #include <utility>   // for swap
@@ -20,9 +21,23 @@ namespace biting
 namespace
 {
 
-void Turn(SurfaceMesh& mesh, std::size_t triangle)
+// Turns the triangles that isTurned(t); links follow.
+template <typename Question>
+void Turn(SurfaceMesh& mesh, SurfaceLinks& links, const Question& isTurned, Pulse& pulse)
 {
-  std::swap(mesh.Corners[3 * triangle + 1], mesh.Corners[3 * triangle + 2]);
+  bool isAny = false;
+  for (std::size_t t = 0; t < mesh.NumberOfTriangles(); ++t)
+  {
+    if (isTurned(t))
+    {
+      isAny = true;
+      std::swap(mesh.Corners[3 * t + 1], mesh.Corners[3 * t + 2]);
+    }
+  }
+  if (isAny)
+  {
+    links = LinkSurface(mesh, pulse); // the slots of edges have changed
+  }
 }
 
 // Walks through shells, triangle by triangle.
@@ -30,16 +45,17 @@ class ShellSearch
 {
 public:
   ShellSearch(SurfaceMesh& mesh, const SurfaceLinks& links, SurfaceShells& shells)
-    : Mesh(mesh)
+    : IsTurned(mesh.NumberOfTriangles(), 0)
+    , Mesh(mesh)
     , Links(links)
     , Result(shells)
-    , IsTurned(mesh.NumberOfTriangles(), 0)
   {
     shells.ShellOf.assign(mesh.NumberOfTriangles(), NoId);
   }
 
   void Fill(std::size_t triangle, ProblemList& problems);
-  bool TurnAll();
+
+  std::vector<std::uint8_t> IsTurned; ///< of triangles
 
 private:
   void Cross(std::size_t slot, SurfaceShell& shell, Problem& twist);
@@ -47,25 +63,21 @@ private:
   SurfaceMesh& Mesh;
   const SurfaceLinks& Links;
   SurfaceShells& Result;
-  std::vector<std::uint8_t> IsTurned;
   std::vector<Id> Members; ///< of the shell at hand
 };
 
 void ShellSearch::Fill(std::size_t triangle, ProblemList& problems)
 {
-  const Id number = static_cast<Id>(this->Result.Shells.size());
   SurfaceShell shell;
   shell.FirstTriangle = static_cast<Id>(triangle);
   Problem twist{ ProblemCode::NotOrientable, {}, {}, "" };
   this->Members.assign(1, shell.FirstTriangle);
-  this->Result.ShellOf[triangle] = number;
-  std::size_t next = 0;
-  while (next < this->Members.size()) // Cross adds members
+  this->Result.ShellOf[triangle] = static_cast<Id>(this->Result.Shells.size());
+  for (std::size_t next = 0; next < this->Members.size(); ++next) // Cross adds members
   {
-    const auto member = static_cast<std::size_t>(this->Members[next++]);
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
-      this->Cross(3 * member + corner, shell, twist);
+      this->Cross(3 * At(this->Members[next]) + corner, shell, twist);
     }
   }
   shell.Triangles = static_cast<Id>(this->Members.size());
@@ -74,13 +86,10 @@ void ShellSearch::Fill(std::size_t triangle, ProblemList& problems)
     problems.Add(twist);
   }
   const auto turned = std::count_if(this->Members.begin(), this->Members.end(),
-    [this](Id t) { return this->IsTurned[static_cast<std::size_t>(t)] != 0; });
-  if (2 * turned > shell.Triangles)
+    [this](Id t) { return this->IsTurned[At(t)] != 0; });
+  for (const Id t : this->Members)
   {
-    for (const Id t : this->Members)
-    {
-      this->IsTurned[static_cast<std::size_t>(t)] ^= 1u;
-    }
+    this->IsTurned[At(t)] ^= 2 * turned > shell.Triangles ? 1u : 0u;
   }
   this->Result.Shells.push_back(shell);
 }
@@ -91,6 +100,7 @@ void ShellSearch::Cross(std::size_t slot, SurfaceShell& shell, Problem& twist)
   if (this->Links.Across[slot] < 0)
   {
     shell.IsClosed = false;
+    shell.IsBounding = shell.IsBounding && this->Links.Across[slot] == CrowdedEdge;
     return;
   }
   const auto next = static_cast<std::size_t>(this->Links.Across[slot] / 3);
@@ -105,22 +115,10 @@ void ShellSearch::Cross(std::size_t slot, SurfaceShell& shell, Problem& twist)
   else if (this->IsTurned[next] != wanted && shell.IsOrientable)
   {
     shell.IsOrientable = false;
+    shell.IsBounding = false;
     twist.Ids = { this->Mesh.Cells[slot / 3], this->Mesh.Cells[next] };
     twist.Place = Midpoint(this->Mesh.At(NextSlotOf(slot)), this->Mesh.At(PreviousSlotOf(slot)));
   }
-}
-
-// Returns whether any was turned.
-bool ShellSearch::TurnAll()
-{
-  for (std::size_t t = 0; t < this->IsTurned.size(); ++t)
-  {
-    if (this->IsTurned[t])
-    {
-      Turn(this->Mesh, t);
-    }
-  }
-  return std::find(this->IsTurned.begin(), this->IsTurned.end(), 1) != this->IsTurned.end();
 }
 
 // Before anything is turned: the first edge of each shell whose triangles are not oriented alike,
@@ -128,27 +126,43 @@ bool ShellSearch::TurnAll()
 void TellInconsistent(const SurfaceMesh& mesh, const SurfaceLinks& links,
   const SurfaceShells& shells, ProblemList& problems)
 {
-  std::vector<Id> first(shells.Shells.size(), NoId);
-  std::vector<Id> counts(shells.Shells.size(), 0);
+  std::map<Id, std::vector<std::size_t>> slotsOf; // of shells
   for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
   {
-    const Id other = links.Across[slot];
-    if (other > static_cast<Id>(slot) && !AreAlike(mesh, links, slot))
+    if (links.Across[slot] > static_cast<Id>(slot) && !AreAlike(mesh, links, slot))
     {
-      const auto shell = static_cast<std::size_t>(shells.ShellOf[slot / 3]);
-      first[shell] = counts[shell]++ == 0 ? static_cast<Id>(slot) : first[shell];
+      slotsOf[shells.ShellOf[slot / 3]].push_back(slot);
     }
   }
-  for (std::size_t shell = 0; shell < first.size(); ++shell)
+  for (const auto& [shell, slots] : slotsOf)
   {
-    if (counts[shell] > 0)
+    const std::size_t slot = slots.front();
+    const std::size_t other = At(links.Across[slot] / 3);
+    problems.Add({ ProblemCode::InconsistentEdges, { mesh.Cells[slot / 3], mesh.Cells[other] },
+      Midpoint(mesh.At(NextSlotOf(slot)), mesh.At(PreviousSlotOf(slot))),
+      std::to_string(slots.size()) + " edges" });
+  }
+}
+
+// At edges of more than two triangles, by the orientation of these.
+void FindBounding(const SurfaceMesh& mesh, const SurfaceLinks& links, SurfaceShells& shells)
+{
+  for (std::size_t edge = 0; edge < links.NumberOfCrowded(); ++edge)
+  {
+    std::map<Id, Id> turns; // of shells: how many more run along the edge than against it
+    Id all = 0;
+    for (Id k = links.CrowdedOffsets[edge]; k < links.CrowdedOffsets[edge + 1]; ++k)
     {
-      const auto slot = static_cast<std::size_t>(first[shell]);
-      const auto other = static_cast<std::size_t>(links.Across[slot] / 3);
-      problems.Add({ ProblemCode::InconsistentEdges, { mesh.Cells[slot / 3], mesh.Cells[other] },
-        Midpoint(mesh.At(NextSlotOf(slot)), mesh.At(PreviousSlotOf(slot))),
-        std::to_string(counts[shell]) + " edges" });
+      const std::size_t slot = At(links.CrowdedSlots[At(k)]);
+      const Id turn = mesh.Corners[NextSlotOf(slot)] == EndsOf(mesh, slot).first ? 1 : -1;
+      turns[shells.ShellOf[slot / 3]] += turn;
+      all += turn;
     }
+    for (const auto& [shell, sum] : turns)
+    {
+      shells.Shells[At(shell)].IsBounding = shells.Shells[At(shell)].IsBounding && sum == 0;
+    }
+    shells.AreBalanced = shells.AreBalanced && all == 0;
   }
 }
 
@@ -172,39 +186,31 @@ void FindParts(const SurfaceMesh& mesh, SurfaceShells& shells)
 // Pairs of shells, in both orders.
 using ShellPairs = std::set<std::pair<Id, Id>>;
 
-// How many closed shells that do not cross its own are around the point; NoId where one is nearer
+// How many bounding shells that do not cross its own are around the point; NoId where one is nearer
 // than the noise.
 Id DepthOf(const Point3& p, Id own, const BoxTree<SurfaceItem, 3>& tree, const SurfaceMesh& mesh,
   const SurfaceShells& shells, const ShellPairs& crossing, double noise)
 {
-  std::vector<Id> met;
+  std::set<Id> around; // met an odd number of times
   Box3 ray = Box3::Around(p, p);
   ray.Grow(noise);
   ray.High.X = Infinity;
   const bool isClear = tree.AllOf(ray,
-    [&p, own, &mesh, &shells, &crossing, noise, &met](const SurfaceItem& item)
+    [&p, own, &mesh, &shells, &crossing, noise, &around](const SurfaceItem& item)
     {
       const auto t = static_cast<std::size_t>(item.Triangle);
       const Id shell = shells.ShellOf[t];
-      if (shell == own || !shells.IsSolid(t) || crossing.count({ own, shell }) > 0)
+      if (shell == own || !shells.Of(t).IsBounding || crossing.count({ own, shell }) > 0)
       {
         return true;
       }
-      if (MeetRay(mesh.Triangle(t), p))
+      if (MeetRay(mesh.Triangle(t), p) && !around.insert(shell).second)
       {
-        met.push_back(shell);
+        around.erase(shell);
       }
       return Distance(p, NearestPoint(mesh.Triangle(t), p)) > noise;
     });
-  std::sort(met.begin(), met.end());
-  Id depth = 0;
-  for (auto first = met.begin(); first != met.end();)
-  {
-    const auto last = std::upper_bound(first, met.end(), *first);
-    depth += static_cast<Id>((last - first) % 2);
-    first = last;
-  }
-  return isClear ? depth : NoId;
+  return isClear ? static_cast<Id>(around.size()) : NoId;
 }
 
 // Of each shell the corner farthest along x: the ray from there is short.
@@ -250,17 +256,17 @@ SurfaceShells FindShells(
     return shells;
   }
   TellInconsistent(mesh, links, shells, problems);
-  if (search.TurnAll())
-  {
-    links = LinkSurface(mesh, pulse); // the slots of edges have changed
-  }
+  Turn(
+    mesh, links, [&search](std::size_t t) { return search.IsTurned[t] != 0; }, pulse);
+  FindBounding(mesh, links, shells);
   FindParts(mesh, shells);
   AddVolumes(mesh, shells, pulse);
   return shells;
 }
 
 void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<SurfaceItem, 3>& tree,
-  const std::vector<SurfaceContact>& crossings, double noise, SurfaceShells& shells, Pulse& pulse)
+  const std::vector<SurfaceContact>& crossings, const std::vector<SurfaceContact>& touches,
+  double noise, SurfaceShells& shells, Pulse& pulse)
 {
   ShellPairs crossing;
   for (const SurfaceContact& contact : crossings)
@@ -269,26 +275,29 @@ void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<Surfa
     const Id other = shells.ShellOf[At(contact.Second)];
     crossing.insert({ { one, other }, { other, one } });
   }
-  constexpr std::size_t MostTries = 300; // triangles, where shells touch in many places
+  std::set<Id> touching; // shells
+  for (const SurfaceContact& touch : touches)
+  {
+    touching.insert({ shells.ShellOf[At(touch.First)], shells.ShellOf[At(touch.Second)] });
+  }
   const std::vector<std::size_t> farthest = FarthestSlots(mesh, shells);
   std::vector<std::uint8_t> isTurned(shells.Shells.size(), 0);
   for (std::size_t k = 0; k < shells.Shells.size() && pulse.Beat(); ++k)
   {
     SurfaceShell& shell = shells.Shells[k];
-    const auto first = static_cast<std::size_t>(shell.FirstTriangle);
-    if (!shells.IsSolid(first))
+    if (!shell.IsBounding)
     {
       continue;
     }
     const Id own = static_cast<Id>(k);
     shell.Depth = DepthOf(mesh.At(farthest[k]), own, tree, mesh, shells, crossing, noise);
-    const std::size_t end =
-      std::min(mesh.NumberOfTriangles(), shell.Depth == NoId ? first + MostTries : 0);
-    for (std::size_t t = first; t < end; ++t)
+    Id left = shell.Depth == NoId || touching.count(own) > 0 ? shell.Triangles : 0;
+    for (std::size_t t = At(shell.FirstTriangle); left > 0 && shell.Depth != 0 && pulse.Beat(); ++t)
     {
-      const Id depth = shells.ShellOf[t] == own
-        ? DepthOf(mesh.Middle(t), own, tree, mesh, shells, crossing, noise)
-        : NoId;
+      const bool isOwn = shells.ShellOf[t] == own;
+      const Id depth =
+        isOwn ? DepthOf(mesh.Middle(t), own, tree, mesh, shells, crossing, noise) : NoId;
+      left -= isOwn ? 1 : 0;
       const bool isLess = depth != NoId && (shell.Depth == NoId || depth < shell.Depth);
       shell.Depth = isLess ? depth : shell.Depth; // of shells that overlap, flush: the least
     }
@@ -296,17 +305,9 @@ void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<Surfa
     isTurned[k] = (shell.Volume < 0.0) == (shell.Depth % 2 == 0) && shell.Volume != 0.0 ? 1 : 0;
     shell.Volume = isTurned[k] ? -shell.Volume : shell.Volume;
   }
-  for (std::size_t t = 0; t < mesh.NumberOfTriangles(); ++t)
-  {
-    if (isTurned[static_cast<std::size_t>(shells.ShellOf[t])])
-    {
-      Turn(mesh, t);
-    }
-  }
-  if (std::find(isTurned.begin(), isTurned.end(), 1) != isTurned.end())
-  {
-    links = LinkSurface(mesh, pulse);
-  }
+  Turn(
+    mesh, links,
+    [&shells, &isTurned](std::size_t t) { return isTurned[At(shells.ShellOf[t])] != 0; }, pulse);
 }
 
 } // namespace biting

@@ -19,8 +19,9 @@ struct SurfaceShell
   Id Triangles = 0;
   bool IsClosed = true; ///< each of its edges has two triangles
   bool IsOrientable = true;
-  double Volume = 0.0; ///< enclosed, signed: above 0 where the triangles face outwards
-  Id Depth = 0;        ///< how many closed shells are around it
+  bool IsBounding = true; ///< orientable, and along each edge run as many triangles as against it
+  double Volume = 0.0;    ///< enclosed, signed: above 0 where the triangles face outwards
+  Id Depth = 0;           ///< of bounding ones: how many others of these are around it
 };
 
 struct SurfaceShells
@@ -29,6 +30,7 @@ struct SurfaceShells
   std::vector<SurfaceShell> Shells;
   std::vector<Id> RegionOf; ///< of each triangle: its part, which hangs together by vertices
   Id NumberOfParts = 0;
+  bool AreBalanced = true; ///< of all triangles as many run along each crowded edge as against it
 
   const SurfaceShell& Of(std::size_t triangle) const
   {
@@ -48,12 +50,13 @@ struct SurfaceShells
 SurfaceShells FindShells(
   SurfaceMesh& mesh, SurfaceLinks& links, ProblemList& problems, Pulse& pulse);
 
-/// Orients closed shells by nesting: outwards where an even number of others is around them, else
+/// Orients bounding shells by nesting: outwards where an even number of others is around them, else
 /// inwards; links follow. Shells that cross are not around each other. Decided by exact signs along
-/// a ray from a vertex, or the middle of a triangle, that is farther than the noise from other
-/// shells, if there is one. `tree` has all triangles.
+/// a ray from a vertex; of shells that touch others, which may be within these in part, also from
+/// the middles of triangles; all farther than the noise from others. `tree` has all triangles.
 void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<SurfaceItem, 3>& tree,
-  const std::vector<SurfaceContact>& crossings, double noise, SurfaceShells& shells, Pulse& pulse);
+  const std::vector<SurfaceContact>& crossings, const std::vector<SurfaceContact>& touches,
+  double noise, SurfaceShells& shells, Pulse& pulse);
 
 } // namespace biting
 

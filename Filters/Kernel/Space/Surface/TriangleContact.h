@@ -17,7 +17,7 @@ using Triangle3 = std::array<Point3, 3>;
 /// on it.
 int HeightOver(const Triangle3& triangle, const Point3& p);
 
-/// Whether the ray from p along the first axis meets the triangle, which is not on p. Exact, and no
+/// Whether the ray from p along the first axis meets the triangle; p is not on that. Exact, and no
 /// ray meets an edge: p counts as moved by (e, e^2) along the other axes, e being infinitesimal.
 bool MeetRay(const Triangle3& triangle, const Point3& p);
 

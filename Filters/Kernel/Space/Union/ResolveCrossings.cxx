@@ -45,7 +45,8 @@ ProblemList Together(const ProblemList& before, const ProblemList& again, Proble
   return all;
 }
 
-// Of shells: whether they cross another one, or themselves, or touch one where none crosses.
+// Of shells: whether they cross another one, or themselves, or touch one where none crosses; none
+// where one does not bound by itself: nesting did not see that.
 std::vector<std::uint8_t> CrossingOnes(const CheckedSurface& surface)
 {
   std::vector<std::uint8_t> isCrossing(surface.Shells.Shells.size(), 0);
@@ -54,6 +55,12 @@ std::vector<std::uint8_t> CrossingOnes(const CheckedSurface& surface)
   {
     isCrossing[At(surface.Shells.ShellOf[At(contact.First)])] = 1;
     isCrossing[At(surface.Shells.ShellOf[At(contact.Second)])] = 1;
+  }
+  const std::vector<SurfaceShell>& shells = surface.Shells.Shells;
+  if (std::any_of(
+        shells.begin(), shells.end(), [](const auto& shell) { return !shell.IsBounding; }))
+  {
+    isCrossing.assign(shells.size(), 0);
   }
   return isCrossing;
 }
@@ -120,6 +127,10 @@ void ResolveCrossings(
     }
     SurfaceMesh mesh = isSmall ? CutOutCrossings(surface, options.Spacing, pulse)
                                : UniteSurfaces(surface, options.Noise, pulse);
+    if (mesh.NumberOfTriangles() == 0)
+    {
+      continue;
+    }
     ProblemList again;
     CheckedSurface resolved = CheckSurface(std::move(mesh), options, again, within);
     if (resolved.Mesh.NumberOfTriangles() > 0 && resolved.Crossings.empty() &&

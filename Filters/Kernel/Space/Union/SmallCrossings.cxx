@@ -97,23 +97,12 @@ private:
 
 } // namespace
 
-bool IsBounding(const CheckedSurface& surface, const SurfaceLinks& links)
+bool IsBounding(const CheckedSurface& surface)
 {
   const std::vector<SurfaceShell>& shells = surface.Shells.Shells;
-  bool isBounding = surface.Figures.OpenEdges == 0 &&
+  return surface.Figures.OpenEdges == 0 && surface.Shells.AreBalanced &&
     std::all_of(
       shells.begin(), shells.end(), [](const SurfaceShell& shell) { return shell.IsOrientable; });
-  for (std::size_t edge = 0; edge < links.NumberOfCrowded(); ++edge)
-  {
-    Id turns = 0;
-    for (Id k = links.CrowdedOffsets[edge]; k < links.CrowdedOffsets[edge + 1]; ++k)
-    {
-      const std::size_t slot = At(links.CrowdedSlots[At(k)]);
-      turns += surface.Mesh.Corners[NextSlotOf(slot)] == EndsOf(surface.Mesh, slot).first ? 1 : -1;
-    }
-    isBounding = isBounding && turns == 0;
-  }
-  return isBounding;
 }
 
 std::vector<Point3> PlacesOfMeeting(const SurfaceMesh& mesh, const SurfaceContact& contact)
@@ -160,7 +149,7 @@ std::vector<Point3> PlacesOfMeeting(const SurfaceMesh& mesh, const SurfaceContac
 SurfaceMesh CutOutCrossings(
   const CheckedSurface& surface, const SpacingField& spacing, Pulse& pulse)
 {
-  if (surface.Figures.NonManifoldEdges > 0 || !IsBounding(surface, SurfaceLinks()))
+  if (surface.Figures.NonManifoldEdges > 0 || !IsBounding(surface))
   {
     return {};
   }

@@ -22,8 +22,8 @@ namespace biting
 {
 
 /// Whether triangles are oriented, and as many run along each edge as against it: then they have
-/// winding numbers. Of edges of two triangles orientable shells tell; `links` are of the others.
-bool IsBounding(const CheckedSurface& surface, const SurfaceLinks& links);
+/// winding numbers.
+bool IsBounding(const CheckedSurface& surface);
 
 /// Places of which one or two are the ends of what is common to two triangles that are not in one
 /// plane: their common vertex, and where sides of one meet the other. Sides of several triangles

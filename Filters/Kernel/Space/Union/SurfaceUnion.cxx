@@ -144,7 +144,7 @@ public:
 
   SurfaceMesh Run()
   {
-    if (!this->Mesh.Regions.empty() || !IsBounding(this->Surface, this->Links))
+    if (!this->Mesh.Regions.empty() || !IsBounding(this->Surface))
     {
       return {};
     }

@@ -384,6 +384,97 @@ TEST(ResolveCrossings, UnitesBodiesThatTouchLieInEachOtherFlushOrShareAnEdge)
   EXPECT_EQ(Resolved(hollow, 0.1).Count(ProblemCode::UnitedSurfaces), 0);
 }
 
+// The cavities stand on the bottom with one edge; shells that share an edge are nested as others.
+TEST(ResolveCrossings, KeepsCavitiesThatTouchWhereShellsShareAnEdge)
+{
+  const Ends cube{ 0, 0, 0, 8, 8, 8 };
+  const auto volume =
+    [](const std::vector<Ends>& boxes, const std::vector<double>& prisms, bool isTurned)
+  {
+    Soup soup;
+    for (const double x : prisms)
+    {
+      const std::array<Point3, 4> corners{ Point3{ x, 3.0, 0.0 }, { x + 1.5, 3.0, 1.5 },
+        { x, 3.0, 3.0 }, { x - 1.5, 3.0, 1.5 } };
+      const Point3 far{ 0.0, 2.0, 0.0 };
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        const Point3& next = corners[(k + 1) % 4];
+        soup.Add(corners[k], corners[k] + far, next + far);
+        soup.Add(corners[k], next + far, next);
+      }
+      soup.Add(corners[0], corners[1], corners[2]);
+      soup.Add(corners[0], corners[2], corners[3]);
+      soup.Add(corners[0] + far, corners[2] + far, corners[1] + far);
+      soup.Add(corners[0] + far, corners[3] + far, corners[2] + far);
+    }
+    for (std::size_t t = 0; t < soup.Mesh.NumberOfTriangles() && isTurned; ++t)
+    {
+      soup.Turn(t);
+    }
+    for (const Ends& ends : boxes)
+    {
+      soup.AddBox({ 1.0 * ends[0][0], 1.0 * ends[0][1], 1.0 * ends[0][2] },
+        { 1.0 * ends[1][0], 1.0 * ends[1][1], 1.0 * ends[1][2] });
+    }
+    const Verdict verdict = Resolved(soup, 0.1);
+    EXPECT_TRUE(IsSound(verdict));
+    EXPECT_GT(verdict.Count(ProblemCode::UnitedSurfaces), 0);
+    return verdict.Figures().Volume;
+  };
+  for (const bool isTurned : { false, true })
+  {
+    EXPECT_NEAR(volume({ cube, { 8, 8, 0, 12, 12, 8 } }, { 4.0 }, isTurned), 631.0, 1e-5);
+    EXPECT_NEAR(volume({ cube }, { 2.5, 5.5 }, isTurned), 494.0, 1e-5);
+  }
+  EXPECT_NEAR(
+    volume({ cube, { 1, 1, 1, 3, 3, 3 }, { 3, 3, 1, 5, 5, 3 }, { 3, 1, 1, 5, 3, 2 } }, {}, false),
+    492.0, 1e-5);
+}
+
+TEST(ResolveCrossings, UnitesBodiesThatCrossWhereTheirEdgesLieInSidesAndNoCavitiesThatDo)
+{
+  const std::array<double, 3> rings{ 2.0, 4.0, 6.0 }; // of a bar
+  Soup soup;
+  for (std::size_t side = 0; side < 4; ++side)
+  {
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      soup.AddSide({ 1.0, 1.0, rings[k] }, { 3.0, 3.0, rings[k + 1] }, side / 2, side % 2 == 1, 1);
+    }
+  }
+  soup.AddSide({ 1.0, 1.0, 2.0 }, { 3.0, 3.0, 6.0 }, 2, false, 1);
+  soup.AddSide({ 1.0, 1.0, 2.0 }, { 3.0, 3.0, 6.0 }, 2, true, 1);
+  soup.AddBox({ 0.0, 0.0, 0.0 }, { 4.0, 4.0, 4.0 });
+  const Verdict bodies = Resolved(soup, 0.1);
+  EXPECT_GT(bodies.Count(ProblemCode::UnitedSurfaces), 0);
+  EXPECT_NEAR(bodies.Figures().Volume, 72.0, 1e-5);
+  soup.AddBox({ -1.0, -1.0, -1.0 }, { 7.0, 7.0, 7.0 });
+  EXPECT_EQ(Resolved(soup, 0.1).Count(ProblemCode::UnitedSurfaces), 0);
+}
+
+TEST(ResolveCrossings, LooksForNoCavitiesInBodiesThatBoundNothingWithoutOthers)
+{
+  Soup soup;
+  soup.AddBox({ 0.0, 0.0, 0.0 }, { 4.0, 4.0, 4.0 });
+  for (std::size_t side = 1; side < 6; ++side)
+  {
+    soup.AddSide({ 4.0, 0.0, 0.0 }, { 8.0, 4.0, 4.0 }, side / 2, side % 2 == 1, 1);
+  }
+  const std::array<Point3, 4> corners{ Point3{ 4.0, 0.0, 0.0 }, { 4.0, 0.0, 4.0 },
+    { 4.0, 4.0, 4.0 }, { 4.0, 4.0, 0.0 } };
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    soup.Add(corners[k], corners[(k + 1) % 4], { 4.0, 2.0, 2.0 }); // the same wall, otherwise
+  }
+  const Verdict verdict = Resolved(soup, 0.1);
+  EXPECT_TRUE(IsSound(verdict));
+  EXPECT_GT(verdict.Count(ProblemCode::UnitedSurfaces), 0);
+  EXPECT_NEAR(verdict.Figures().Volume, 128.0, 1e-5);
+  soup.AddBox({ 1.0, 1.0, 0.0 }, { 3.0, 3.0, 2.0 });
+  EXPECT_EQ(Resolved(soup, 0.1).Count(ProblemCode::UnitedSurfaces), 0);
+}
+
 // There middles of triangles are on other triangles, and bodies touch others where these cross.
 TEST(ResolveCrossings, UnitesNearlyAllBoxesOfALattice)
 {
