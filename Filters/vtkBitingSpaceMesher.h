@@ -58,10 +58,9 @@ public:
 
   ///@{
   /**
-   * How far the mesh may be from the surface where that curves, in f: f is lowered there, down to a
-   * quarter; by the surface mesher to a sixteenth where it turns by more than 69 degrees within a
-   * triangle of that size. Triangles that are farther away than a quarter of f, and than twice
-   * this tolerance, are told. 0: any distance. Default 0.1.
+   * How far the mesh may be from the surface where that curves, in f: f goes down to a quarter
+   * there, of the surface mesher to a sixteenth where that turns by 69 degrees within a triangle.
+   * Triangles farther away than f / 4, and than twice this, are told. 0: any distance. Default 0.1.
    */
   vtkSetMacro(BoundaryTolerance, double);
   vtkGetMacro(BoundaryTolerance, double);
