@@ -324,7 +324,7 @@ TEST(BodyMesher, CallsTrianglesThatLieOnEachOtherAtACrowdedEdgeFolds)
     const Point3 a = { 0.0, 0.0, 0.0 };
     const Point3 b = { 1.0, 0.0, 0.0 };
     const Point3 c = { 0.3, depth, 0.0 };
-    const Point3 d = { 0.3, 0.3, height };
+    const Point3 d = { 0.3, 0.3 * depth, height };
     Soup soup;
     soup.Add(a, b, c);
     soup.Add(a, d, b);
@@ -335,7 +335,8 @@ TEST(BodyMesher, CallsTrianglesThatLieOnEachOtherAtACrowdedEdgeFolds)
   bool isFolded = false;
   for (const double up : { -1.0, 1.0 })
   {
-    ValuedSoup pair;
+    ValuedSoup pair; // beside another one, from which angles are measured
+    pair.Add(tetrahedron(-1.0, 1.0), 3);
     pair.Add(tetrahedron(0.5, up), 1);
     pair.Add(tetrahedron(1.0, -up), 2);
     const MeshedBody meshed = MakeBody(pair, 0.2);
