@@ -8,7 +8,6 @@
 #include <algorithm> // for find, max, min, none_of
 #include <array>     // for corners
 #include <cmath>     // for sqrt
-#include <cstdint>   // for marks
 #include <deque>     // for queues
 #include <utility>   // for move
 
@@ -71,7 +70,7 @@ public:
     , MostBites(mostBites)
     , Beats(pulse)
     , Heads(ground.Mesh.NumberOfTriangles(), NoId)
-    , IsGuard(ground.Mesh.NumberOfTriangles(), 0)
+    , IsGuard(ground.Mesh.NumberOfTriangles(), false)
     , Seen(ground.Mesh.NumberOfTriangles(), NoId)
   {
   }
@@ -224,11 +223,11 @@ private:
       constexpr double Most = 1.0 - 1e-6;
       const double farthest = std::max(away[0], std::max(away[1], away[2]));
       const bool isWithin = farthest < Most * radius2;
-      if (!isWithin && this->IsGuard[At(triangle)] == 0)
+      if (!isWithin && !this->IsGuard[At(triangle)])
       {
         this->Meet(bite, triangle);
       }
-      this->IsGuard[At(triangle)] |= farthest < Most * guard2 ? 1 : 0;
+      this->IsGuard[At(triangle)] = this->IsGuard[At(triangle)] || farthest < Most * guard2;
       this->Entries.push_back({ isWithin ? ~bite : bite, this->Heads[At(triangle)] });
       this->Heads[At(triangle)] = static_cast<Id>(this->Entries.size()) - 1;
       for (std::size_t k = 0; k < 3; ++k)
@@ -402,11 +401,11 @@ private:
   const std::size_t MostBites;
   Pulse& Beats;
   SurfaceBites Bites;
-  std::vector<Id> Heads; ///< of triangles: the first of the entries of bites that reach it
-  std::vector<std::uint8_t> IsGuard; ///< of triangles: the guard of a bite has all of them
-  std::deque<Entry> Entries;         ///< most of memory: it is not copied
-  std::vector<Id> Seen;              ///< of triangles: the last bite whose walk came there
-  std::vector<Id> Front;             ///< of the walk
+  std::vector<Id> Heads;     ///< of triangles: the first of the entries of bites that reach it
+  std::vector<bool> IsGuard; ///< of triangles: the guard of a bite has all of them
+  std::deque<Entry> Entries; ///< most of memory: it is not copied
+  std::vector<Id> Seen;      ///< of triangles: the last bite whose walk came there
+  std::vector<Id> Front;     ///< of the walk
   std::deque<Candidate> Queue;
   std::size_t NumberOfMeetings = 0;
   std::vector<Id> Near; ///< bites in a triangle that the new one may meet, as Entry::Bite

@@ -178,7 +178,7 @@ private:
     }
     boundary.IsInside = [&test](const Point3& place) { return test.LabelAt(place) != 0; };
     this->Spacing = BodySpacing(
-      this->Certified.Spacing, bites.Centers, sizes, this->Options.Surface.Gradation, pulse);
+      this->Options.Surface.Spacing, bites.Centers, sizes, this->Options.Surface.Gradation, pulse);
     boundary.Spacing = this->Spacing;
     const auto left = [&bites](std::int64_t limit)
     { return static_cast<std::size_t>(std::max<std::int64_t>(0, limit - bites.Size())); };

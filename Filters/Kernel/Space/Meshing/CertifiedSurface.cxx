@@ -96,7 +96,6 @@ public:
     : Surface(surface)
     , Options(options)
     , Ground(result.Ground)
-    , Spacing(result.Spacing)
     , Bites(result.Bites)
     , Tree(result.Tree)
     , Boundary(result.Boundary)
@@ -252,10 +251,9 @@ private:
       ground.Normals[t] = length > 0.0 ? (1.0 / length) * normal : Point3{};
     }
     FlagFeatures(ground, this->Options.Regions, this->Options.FeatureAngle, this->Beats);
-    this->Spacing = this->Options.Spacing;
     for (const Point3& place : ground.Mesh.Points)
     {
-      const double size = this->Spacing(place);
+      const double size = this->Options.Spacing(place);
       if (!(size > 0.0) || !std::isfinite(size))
       {
         this->Refuse(ProblemCode::BadSpacing, place, NoId, "value " + Figure(size));
@@ -264,7 +262,7 @@ private:
       ground.Given.push_back(size);
     }
     const auto most = static_cast<double>(this->Options.MaximumNumberOfVertices);
-    this->Result.AskedVertices = ExpectedVertices(ground.Mesh, this->Spacing, most);
+    this->Result.AskedVertices = ExpectedVertices(ground.Mesh, this->Options.Spacing, most);
     if (this->Result.AskedVertices > most)
     {
       this->RefuseSize();
@@ -353,7 +351,7 @@ private:
   void Divide()
   {
     constexpr std::size_t MostTriangles = 40000000;
-    if (!DivideGround(this->Ground, this->Spacing, MostTriangles, this->Beats))
+    if (!DivideGround(this->Ground, this->Options.Spacing, MostTriangles, this->Beats))
     {
       this->RefuseSize();
     }
@@ -505,7 +503,6 @@ private:
   const CheckedSurface& Surface;
   const SurfaceMesherOptions& Options;
   SurfaceGround& Ground;
-  std::function<double(const Point3&)>& Spacing;
   SurfaceBites& Bites;
   BoxTree<SurfaceItem, 3>& Tree;
   SurfaceBoundary& Boundary;

@@ -8,7 +8,6 @@
 #include "../Boundary/SurfaceBoundary.h"
 #include "SurfaceMesher.h"
 
-#include <functional> // for f
 #include <vector>     // for the arrays
 
 // The steps common to meshing surfaces and bodies: the surface is divided and bitten, its boundary
@@ -20,7 +19,6 @@ namespace biting
 struct CertifiedSurface
 {
   SurfaceGround Ground;
-  std::function<double(const Point3&)> Spacing; ///< f as given
   SurfaceBites Bites;
   BoxTree<SurfaceItem, 3> Tree; ///< of the surface
   SurfaceBoundary Boundary;     ///< without offences
