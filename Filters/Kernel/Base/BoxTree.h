@@ -95,6 +95,7 @@ private:
   void Order(std::vector<Entry>& entries, Pulse& pulse);
   static Node Enclose(const Branch& branch, const std::vector<Entry>& entries);
   static void Halve(const Branch& branch, const biting::Box<D>& box, std::vector<Entry>& entries);
+  static std::size_t NodesOf(Id items);
   void Build(const Branch& branch, std::vector<Entry>& entries, Pulse& pulse);
 
   std::vector<Item> Ordered;
@@ -115,6 +116,7 @@ BoxTree<Item, D>::BoxTree(std::vector<Item> items, Pulse& pulse)
   {
     entries.push_back({ item.Box(), item.Least(), static_cast<Id>(entries.size()) });
   }
+  this->Nodes.reserve(NodesOf(static_cast<Id>(items.size())));
   this->Nodes.resize(1);
   if (pulse.Ask())
   {
@@ -182,6 +184,13 @@ void BoxTree<Item, D>::Halve(
       const double keyB = b.Box.Low[axis] + b.Box.High[axis];
       return keyA < keyB || (keyA == keyB && a.Number < b.Number);
     });
+}
+
+/// The number of nodes of a subtree with this many items.
+template <typename Item, std::size_t D>
+std::size_t BoxTree<Item, D>::NodesOf(Id items)
+{
+  return items > ItemsPerLeaf ? 1 + NodesOf(items / 2) + NodesOf(items - items / 2) : 1;
 }
 
 template <typename Item, std::size_t D>

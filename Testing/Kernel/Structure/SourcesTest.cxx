@@ -146,7 +146,7 @@ const std::map<std::string, Budget> Budgets = {
   { "Bridge", { 13330, 72 } },
   { "IO", { 2890, 16 } },
   { "Kernel", { 900, 3 } },
-  { "Kernel/Base", { 2050, 28 } },
+  { "Kernel/Base", { 2060, 28 } },
   { "Kernel/Biting", { 5520, 49 } },
   { "Kernel/Blocks", { 5630, 60 } },
   { "Kernel/Delaunay", { 2390, 27 } },

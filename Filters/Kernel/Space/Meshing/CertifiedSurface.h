@@ -8,7 +8,7 @@
 #include "../Boundary/SurfaceBoundary.h"
 #include "SurfaceMesher.h"
 
-#include <vector>     // for the arrays
+#include <vector> // for the arrays
 
 // The steps common to meshing surfaces and bodies: the surface is divided and bitten, its boundary
 // in the triangulation of the bites is found and certified.
