@@ -210,9 +210,10 @@ private:
     const double radius2 = this->Bites.Radii[At(bite)] * this->Bites.Radii[At(bite)];
     const double guard2 = this->Bites.Guards[At(bite)] * this->Bites.Guards[At(bite)];
     this->NumberOfMeetings = 0;
-    for (std::size_t next = 0; next < this->Front.size(); ++next) // GoAcross adds some
+    std::size_t next = 0;
+    while (next < this->Front.size()) // GoAcross adds some
     {
-      const Id triangle = this->Front[next];
+      const Id triangle = this->Front[next++];
       std::array<double, 3> away{}; // of the corners, squared
       for (std::size_t k = 0; k < 3; ++k)
       {

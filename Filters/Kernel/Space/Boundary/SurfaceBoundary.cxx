@@ -280,7 +280,7 @@ private:
     const TetMesh& mesh = this->Cells;
     const auto labelOf = [this](Id facet) { return this->Labels[At(TetMesh::CellOf(facet))]; };
     this->TakeFacets(
-      [this, &mesh, &labelOf](Id facet)
+      [&mesh, &labelOf](Id facet)
       {
         const Id label = labelOf(facet);
         const Id other = label == 0 ? 0 : labelOf(mesh.Twins[At(facet)]);

@@ -73,14 +73,13 @@ void ShellSearch::Fill(std::size_t triangle, ProblemList& problems)
   Problem twist{ ProblemCode::NotOrientable, {}, {}, "" };
   this->Members.assign(1, shell.FirstTriangle);
   this->Result.ShellOf[triangle] = static_cast<Id>(this->Result.Shells.size());
-  for (std::size_t next = 0; next < this->Members.size(); ++next) // Cross adds members
+  for (; At(shell.Triangles) < this->Members.size(); ++shell.Triangles) // Cross adds members
   {
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
-      this->Cross(3 * At(this->Members[next]) + corner, shell, twist);
+      this->Cross(3 * At(this->Members[At(shell.Triangles)]) + corner, shell, twist);
     }
   }
-  shell.Triangles = static_cast<Id>(this->Members.size());
   if (!shell.IsOrientable)
   {
     problems.Add(twist);
