@@ -131,8 +131,9 @@
  * and `SecondId` (vtkIdType, -1 where there is none; ProblemKindType says what they number),
  * `Message` (string: kind, ids and place in words). Field data, by kind: `ProblemKindNames`
  * (string) and `ProblemCounts` (vtkIdType: how many there were, also those without a place). A
- * problem at a point of the input lies exactly there. Points that are not finite, too many
- * vertices, parameters out of range, missing arrays and cells that cannot be read have no place.
+ * problem at a point of the input lies exactly there; a point that is not finite is shown at the
+ * finite one before it in its chain, else after it. Too many vertices, parameters out of range,
+ * missing arrays and cells that cannot be read have no place.
  *
  * @par Guarantees:
  * The mesh is valid (all triangles counterclockwise, decided exactly; no overlaps, no duplicate and

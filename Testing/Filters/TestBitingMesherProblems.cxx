@@ -300,7 +300,7 @@ TEST(BitingMesherProblems, ShowNoPlaceWhereClosedLoopsBoundNothing)
     << run.Errors[0];
 }
 
-TEST(BitingMesherProblems, CountPointsThatAreNotFinite)
+TEST(BitingMesherProblems, ShowPointsThatAreNotFiniteBesideThem)
 {
   auto input = EmptyInput();
   const double nan = std::nan("");
@@ -308,7 +308,13 @@ TEST(BitingMesherProblems, CountPointsThatAreNotFinite)
   AddVertex(input, { nan, nan, nan });
   const Outcome run = RefusalOf(input);
   EXPECT_EQ(run.Counts[vtkBitingMesher::NOT_FINITE], 4);
-  EXPECT_TRUE(run.Problems.empty());
+  ASSERT_EQ(run.Problems.size(), 3u);
+  for (const SeenProblem& problem : run.Problems)
+  {
+    EXPECT_EQ(problem.Where, PointOf(input, 1));
+  }
+  EXPECT_EQ(run.Problems[1].FirstId, 2);
+  EXPECT_TRUE(Has(run.Problems[1].Message, "point 2 at (1, inf, 0)")) << run.Problems[1].Message;
 }
 
 TEST(BitingMesherProblems, ShowPointsOffThePlaneWorstFirst)

@@ -13,7 +13,7 @@
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>   // for any_of
+#include <algorithm>   // for any_of, remove_if
 #include <array>       // for the wordings
 #include <numeric>     // for iota
 #include <type_traits> // for decay
@@ -131,6 +131,49 @@ const Wording& WordingOf(ProblemCode code)
   return Wordings[static_cast<std::size_t>(code)];
 }
 
+// For each point that is not finite, a finite one beside it in a chain; NoId where there is none.
+class Neighbors
+{
+public:
+  explicit Neighbors(const PlanarInput& input)
+    : Input(input)
+    , Beside(input.IsUsed.size(), NoId)
+  {
+    const Polylines& chains = input.Chains;
+    for (Id chain = 0; chain < chains.NumberOfChains(); ++chain)
+    {
+      const Id first = chains.Offsets[chain];
+      const Id last = chains.Offsets[static_cast<std::size_t>(chain) + 1] - 1;
+      this->Walk(first, last, 1);
+      this->Walk(last, first, -1);
+    }
+  }
+
+  Id operator[](std::int64_t point) const { return this->Beside[point]; }
+
+private:
+  void Walk(Id from, Id to, Id step)
+  {
+    Id finite = NoId;
+    for (Id k = from; k != to + step; k += step)
+    {
+      const Id point = this->Input.Chains.Connectivity[k];
+      const double* place = this->Input.Place(point);
+      if (AreFinite(place))
+      {
+        finite = point;
+      }
+      else if (this->Beside[point] == NoId)
+      {
+        this->Beside[point] = finite;
+      }
+    }
+  }
+
+  const PlanarInput& Input;
+  std::vector<Id> Beside;
+};
+
 std::string IdsText(const Problem& problem, const Wording& wording)
 {
   const std::vector<std::int64_t> ids = ShownIdsOf(problem);
@@ -159,18 +202,39 @@ ProblemPlace PlaceAt(const Problem& problem, const Point3& where)
   return place;
 }
 
+void MoveToNeighbors(const PlanarInput& input, std::size_t first, std::vector<ProblemPlace>& places)
+{
+  const Neighbors neighbors(input);
+  for (std::size_t k = first; k < places.size(); ++k)
+  {
+    const Id neighbor = neighbors[places[k].FirstId];
+    if (neighbor != NoId)
+    {
+      const double* place = input.Place(neighbor);
+      places[k].Place = { place[0], place[1], place[2] };
+    }
+  }
+}
+
 void AddGroup(const ProblemGroup& group, const PlanarInput& input, bool isError,
   std::vector<ProblemPlace>& places)
 {
+  const std::size_t first = places.size();
   for (const Problem& problem : group.First)
   {
-    const Point3 where = PlaceInSpace(problem, input);
-    if (!problem.Ids.empty() && AreFinite(where.Data()))
+    if (!problem.Ids.empty())
     {
-      places.push_back(PlaceAt(problem, where));
+      places.push_back(PlaceAt(problem, PlaceInSpace(problem, input)));
       places.back().IsError = isError;
     }
   }
+  if (group.Code == ProblemCode::NotFinite)
+  {
+    MoveToNeighbors(input, first, places);
+  }
+  const auto end = std::remove_if(places.begin() + static_cast<std::ptrdiff_t>(first), places.end(),
+    [](const ProblemPlace& place) { return !AreFinite(place.Place.Data()); });
+  places.erase(end, places.end());
 }
 
 void SetPoints(const std::vector<ProblemPlace>& places, vtkPolyData* output)
