@@ -34,11 +34,16 @@ class ShrinkingBall
 public:
   ShrinkingBall(
     const SurfaceGround& ground, const SurfaceMesh& input, const BoxTree<SurfaceItem, 3>& tree)
-    : Ground(ground)
+    : Pieces(ground.Normals.size(), NoId)
+    , Ground(ground)
     , Input(input)
     , Tree(tree)
     , IsOpen(std::find(ground.Flags.begin(), ground.Flags.end(), BorderFlag) != ground.Flags.end())
   {
+    for (std::size_t t = 0; t < ground.Mesh.NumberOfTriangles(); ++t)
+    {
+      this->Pieces[At(ground.Mesh.Cells[t])] = static_cast<Id>(t);
+    }
   }
 
   /// The diameter of the ball that touches the place, where the surface has the normal, from the
@@ -66,7 +71,8 @@ public:
 
   // Where the last ball ended.
   Point3 Touch;
-  Id Wall = NoId; ///< the triangle of the input
+  Id Wall = NoId;         ///< the triangle of the input
+  std::vector<Id> Pieces; ///< of triangles of the input, one of the ground each
 
 private:
   static constexpr EdgeFlag BorderFlag = 1 + static_cast<EdgeFlag>(SurfaceEdgeKind::Border);
@@ -493,19 +499,14 @@ double TurnInBall(const SurfaceGround& ground, Id vertex, double radius,
 } // namespace
 
 void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
-  const BoxTree<SurfaceItem, 3>& inputTree, std::size_t firstVertex, Pulse& pulse)
+  const BoxTree<SurfaceItem, 3>& inputTree, Id firstVertex, Pulse& pulse)
 {
   ShrinkingBall ball(ground, input, inputTree);
   const GroundPatches patches(ground);
-  std::vector<Id> pieces(ground.Normals.size(), NoId); // of triangles of the input, one each
   std::vector<std::uint8_t> isDone(ground.Mesh.NumberOfTriangles(), 0);
-  for (std::size_t t = 0; t < isDone.size(); ++t)
-  {
-    pieces[At(ground.Mesh.Cells[t])] = static_cast<Id>(t);
-  }
   // Triangles near a place are not measured: where it sees no wall they see none, and a wall's
   // distance changes by less than theirs.
-  const auto measure = [&ball, &ground, &patches, &pieces, &isDone](const Point3& place,
+  const auto measure = [&ball, &ground, &patches, &isDone](const Point3& place,
                          const Point3& normal, Id triangle, const std::vector<Id>& vertices)
   {
     double size = 0.0; // no larger ball matters, nor any where f is as small as it may be
@@ -526,14 +527,13 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
         {
           Cap(ground, v, diameter);
         }
-        CapWall(ground, patches, pieces[At(ball.Wall)], ball.Touch, diameter);
+        CapWall(ground, patches, ball.Pieces[At(ball.Wall)], ball.Touch, diameter);
       }
     }
     MarkAround(ground, triangle, place, near, isDone);
   };
   const auto isOnLine = [&ground](Id v) { return ground.Places[At(v)] != FeaturePlace::None; };
-  const auto end = static_cast<Id>(ground.Mesh.Points.size());
-  for (auto v = static_cast<Id>(firstVertex); v < end && pulse.Beat(64); ++v)
+  for (Id v = firstVertex; At(v) < ground.Mesh.Points.size() && pulse.Beat(64); ++v)
   {
     const IdLists::List around = ground.TrianglesAt[v];
     const bool isToDo = around.Size() > 0 && isDone[At(around[0])] == 0 && !isOnLine(v);
@@ -543,11 +543,12 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
       measure(ground.Mesh.Points[At(v)], normal, around[0], { v });
     }
   }
-  for (std::size_t t = 0; t < isDone.size() && pulse.Beat(64); ++t)
-  { // Strips without a vertex inside.
+  for (std::size_t t = 0; t < isDone.size() && pulse.Beat(64);
+       ++t) // strips without a vertex inside
+  {
     const Id* corners = &ground.Mesh.Corners[3 * t];
     if (isDone[t] == 0 && std::all_of(corners, corners + 3, isOnLine) &&
-      At(*std::max_element(corners, corners + 3)) >= firstVertex)
+      *std::max_element(corners, corners + 3) >= firstVertex)
     {
       measure(ground.Mesh.Middle(t), ground.NormalOf(t), static_cast<Id>(t),
         { corners[0], corners[1], corners[2] });

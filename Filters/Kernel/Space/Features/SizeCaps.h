@@ -19,7 +19,7 @@ constexpr double LeastShare = 0.25;
 /// Shrinking balls (Ma, Bae, Choi, "3D medial axis point approximation using nearest neighbors and
 /// the normal field", 2012). Vertices before `firstVertex` get no ball. `inputTree`: of `input`.
 void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
-  const BoxTree<SurfaceItem, 3>& inputTree, std::size_t firstVertex, Pulse& pulse);
+  const BoxTree<SurfaceItem, 3>& inputTree, Id firstVertex, Pulse& pulse);
 
 /// Caps f on chains by .8 d, d the distance to features to which the way along chains is longer
 /// than 4 d, and by the length of the chain, of a closed chain a quarter of it.
@@ -31,9 +31,8 @@ void CapByFeatures(SurfaceGround& ground, Pulse& pulse);
 void CapByCurvature(
   SurfaceGround& ground, const SurfaceMesh& input, double tolerance, Pulse& pulse);
 
-/// Halves f where the surface turns by more than 69 degrees (but at features) in the ball of a
-/// facet, too sharply for CapByCurvature, and f is .45 to 1.1 LeastShare of the given one: so twice
-/// where it is called again. False: nowhere.
+/// Halves f where it is .45 to 1.1 LeastShare of the given one and the surface turns by more than
+/// 69 degrees in the ball of a facet; edges that are features do not count. False: nowhere.
 bool HalveAtTurns(SurfaceGround& ground, Pulse& pulse);
 
 /// Lowers f until it grows by no more than `gradation` along the edges of the ground; 0: by no more

@@ -324,7 +324,7 @@ private:
     {
       const std::size_t before = ground.Mesh.Points.size();
       CapByFeatures(ground, this->Beats);
-      CapByThickness(ground, this->Surface.Mesh, this->Tree, seen, this->Beats);
+      CapByThickness(ground, this->Surface.Mesh, this->Tree, static_cast<Id>(seen), this->Beats);
       seen = before;
       this->Regrade();
     }
